@@ -36,16 +36,16 @@ bool reserved(std::string_view name) {
            name.starts_with("snell_") || name.find("__") != std::string_view::npos;
 }
 
-std::string quoted(std::string_view text) { return "'" + std::string(text.substr(0, 60)) + "'"; }
+std::string shown(std::string_view text) { return "'" + std::string(text.substr(0, 60)) + "'"; }
 
 bool usable_name(std::string_view name, Span span, Report& report) {
     if (!identifier(name)) {
-        report.error("ladder-name", span, quoted(name) + " cannot be a macro in a shader",
+        report.error("ladder-name", span, shown(name) + " cannot be a macro in a shader",
                      "a ladder's name has letters, digits and underscores, and no digit at its beginning");
         return false;
     }
     if (!reserved(name) && name.back() != '_') return true;
-    report.error("ladder-name", span, quoted(name) + " is a word that GLSL keeps for itself", "choose another name");
+    report.error("ladder-name", span, shown(name) + " is a word that GLSL keeps for itself", "choose another name");
     return false;
 }
 
@@ -73,15 +73,14 @@ private:
         const bool good =
             ranges::all_of(rung, name_part) && !rung.starts_with('_') && rung.find("__") == std::string_view::npos;
         if (!good) {
-            report_.error("ladder-rung", span, quoted(rung) + " cannot be part of a macro's name",
+            report_.error("ladder-rung", span, shown(rung) + " cannot be part of a macro's name",
                           "a rung is a word of letters, digits and underscores, or a whole number");
             return ladder_.rungs.size();
         }
         const auto same = ranges::find(ladder_.rungs, rung);
         if (same != ladder_.rungs.end()) {
             const auto place = static_cast<std::size_t>(same - ladder_.rungs.begin());
-            report_
-                .error("repeated-rung", span, "ladder '" + ladder_.name + "' has the rung " + quoted(rung) + " twice")
+            report_.error("repeated-rung", span, "ladder '" + ladder_.name + "' has the rung " + shown(rung) + " twice")
                 .notes.push_back({ladder_.rung_spans[place], "first given here"});
             return place;
         }
@@ -124,7 +123,7 @@ bool macros_differ(const Ladder& ladder, const std::vector<Ladder>& others, Repo
             if (ranges::find(mine, name) == mine.end()) continue;
             report
                 .error("ladder-clash", ladder.name_span,
-                       "this ladder and '" + other.name + "' both define " + snell::quoted(name), "choose another name")
+                       "this ladder and '" + other.name + "' both define " + snell::shown(name), "choose another name")
                 .notes.push_back({other.name_span, "the other ladder"});
             return false;
         }

@@ -9,7 +9,7 @@
 namespace snell {
 namespace {
 
-bool truth(std::string_view word) { return word == "true" || word == "false"; }
+bool is_truth(std::string_view word) { return word == "true" || word == "false"; }
 
 }  // namespace
 
@@ -73,7 +73,7 @@ bool StatementReader::swallows_command(std::size_t first) const {
     if (value.kind == TokenKind::open) return bracket == '[' && found->takes(ArgumentKind::vec3);
     // Commands may be written in any case, but 'scale 2.' in a list of uniforms is almost certainly a uniform.
     const bool as_in_table = word == found->name || word == found->alias;
-    const bool lone_value = count == 2 && (plausible_number(lexer_.text(value)) || truth(lexer_.text(value)));
+    const bool lone_value = count == 2 && (plausible_number(lexer_.text(value)) || is_truth(lexer_.text(value)));
     return as_in_table || !lone_value;
 }
 

@@ -23,9 +23,10 @@ struct Decimal {
 template <class Real>
 Decimal shortest(Real value, std::array<char, 64>& buffer) {
     Decimal decimal{std::signbit(value), {}, 0};
-    std::array<char, 64> text{};
     // Without a precision, fmt writes the fewest digits, in one of the forms 0.00123, 123, 12.3 and 1.23e+20.
-    const char* const end = fmt::format_to(text.data(), "{}", std::abs(value));
+    // Its format_to would instantiate all of its formatter, which takes the compiler seconds.
+    const std::string text = fmt::format("{}", std::abs(value));
+    const char* const end = text.data() + text.size();
     std::size_t count = 0;
     bool point = false;
     int places = 0;

@@ -19,13 +19,13 @@ struct Format {
 };
 
 constexpr Format real{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, {0, 0, 0, 255}, GL_RGBA32F};
-constexpr Format integer{GL_RGBA8I, GL_RGBA_INTEGER, GL_BYTE, {0, 0, 0, 1}, GL_RGBA32I};
+constexpr Format integral{GL_RGBA8I, GL_RGBA_INTEGER, GL_BYTE, {0, 0, 0, 1}, GL_RGBA32I};
 constexpr Format natural{GL_RGBA8UI, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE, {0, 0, 0, 1}, GL_RGBA32UI};
 constexpr Format depth{GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, {}, 0};
 
 const Format& format_of(std::string_view sampler) {
     if (sampler.ends_with("Shadow")) return depth;
-    return sampler.starts_with('i') ? integer : sampler.starts_with('u') ? natural : real;
+    return sampler.starts_with('i') ? integral : sampler.starts_with('u') ? natural : real;
 }
 
 GLenum target_of(std::string_view sampler) {
@@ -86,7 +86,7 @@ void fill_samples(GLenum target, GLuint texture, const Format& f) {
     constexpr std::array<GLint, 4> ints{};
     constexpr std::array<GLuint, 4> uints{};
     if (&f == &real) glClearBufferfv(GL_COLOR, 0, floats.data());
-    if (&f == &integer) glClearBufferiv(GL_COLOR, 0, ints.data());
+    if (&f == &integral) glClearBufferiv(GL_COLOR, 0, ints.data());
     if (&f == &natural) glClearBufferuiv(GL_COLOR, 0, uints.data());
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }

@@ -8,16 +8,16 @@ namespace snell::gl {
 
 namespace {
 
-struct Format {
+struct StoredFormat {
     GLenum internal, component;
     std::size_t bytes;  // of a texel
 };
 
-const Format& format_of(Pixels type) {
-    static constexpr Format formats[]{{GL_RGBA8, GL_UNSIGNED_BYTE, 4},
-                                      {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE, 4},
-                                      {GL_RGBA16F, GL_HALF_FLOAT, 8},
-                                      {GL_RGBA32F, GL_FLOAT, 16}};  // as Pixels
+const StoredFormat& format_of(Pixels type) {
+    static constexpr StoredFormat formats[]{{GL_RGBA8, GL_UNSIGNED_BYTE, 4},
+                                            {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE, 4},
+                                            {GL_RGBA16F, GL_HALF_FLOAT, 8},
+                                            {GL_RGBA32F, GL_FLOAT, 16}};  // as Pixels
     return formats[static_cast<std::size_t>(type)];
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using glsl::Kind;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 // llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left.
 constexpr double most_rounds = 65535;
@@ -24,7 +24,7 @@ constexpr double most_rounds = 65535;
 bool is_step(std::string_view t) { return t == "++" || t == "--"; }
 
 std::string rounds_text(double rounds) {
-    return rounds == infinity ? "for ever" : fmt::format("about {:.0f} times", rounds);
+    return rounds == endless ? "for ever" : fmt::format("about {:.0f} times", rounds);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ double Walker::rounds_of(const Loop& loop) {
     const int begin = loop.condition, end = loop.condition_end;
     const bool always = end == begin || (end == begin + 1 && u_.at(begin).text == "true");
     if (leaves(loop.body, loop.body_end)) return 0;
-    if (always) return infinity;
+    if (always) return endless;
     const std::string_view name = u_.at(begin).text, op = u_.at(begin + 1).text;
     const int slot = find(name);
     const bool stepped = loop.step < loop.step_end;  // by its header

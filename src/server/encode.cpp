@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <iterator>
 #include <utility>
 
 #include "parser/text/ranges.h"
@@ -132,7 +131,7 @@ namespace {
 void add_quoted(std::string& out, std::string_view text) {
     const auto plain = [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; };
     if (ranges::all_of(text, plain))
-        fmt::format_to(std::back_inserter(out), R"("{}")", text);
+        out.append(1, '"').append(text).append(1, '"');
     else
         out += text_of(Json(text));
 }
@@ -155,17 +154,15 @@ void Encoder::add_range(std::string& out, const Span& span) const {
     const Lines& text = lines(span.file);
     const Place begin = text.place(span.begin, state_.encoding);
     const Place end = text.place(std::max(span.begin, span.end), state_.encoding);
-    fmt::format_to(std::back_inserter(out),
-                   R"({{"start":{{"line":{},"character":{}}},"end":{{"line":{},"character":{}}}}})", begin.line,
-                   begin.character, end.line, end.character);
+    out += fmt::format(R"({{"start":{{"line":{},"character":{}}},"end":{{"line":{},"character":{}}}}})", begin.line,
+                       begin.character, end.line, end.character);
 }
 
 void Encoder::add_symbols(std::string& out, const std::vector<Symbol>& symbols) const {
     add_list(out, symbols, [&](const Symbol& symbol) {
         out += R"({"name":)";
         add_quoted(out, symbol.name.empty() ? "?" : symbol.name);
-        fmt::format_to(std::back_inserter(out), R"(,"kind":{},"range":)",
-                       symbol_kinds[static_cast<std::size_t>(symbol.kind)]);
+        out += fmt::format(R"(,"kind":{},"range":)", symbol_kinds[static_cast<std::size_t>(symbol.kind)]);
         add_range(out, symbol.span);
         out += R"(,"selectionRange":)";
         add_range(out, symbol.name_span);
@@ -191,10 +188,9 @@ std::string Encoder::folds(const std::vector<Fold>& folds) const {
     std::string out;
     add_list(out, folds, [&](const Fold& fold) {
         const Lines& text = lines(fold.span.file);
-        fmt::format_to(std::back_inserter(out), R"({{"startLine":{},"endLine":{},"kind":"{}"}})",
-                       text.place(fold.span.begin, state_.encoding).line,
-                       text.place(fold.span.end, state_.encoding).line,
-                       fold.kind == Fold::Kind::comment ? "comment" : "region");
+        out += fmt::format(
+            R"({{"startLine":{},"endLine":{},"kind":"{}"}})", text.place(fold.span.begin, state_.encoding).line,
+            text.place(fold.span.end, state_.encoding).line, fold.kind == Fold::Kind::comment ? "comment" : "region");
     });
     return out;
 }
@@ -204,8 +200,8 @@ std::string Encoder::colors(const std::vector<language::Color>& colors) const {
     add_list(out, colors, [&](const language::Color& color) {
         out += R"({"range":)";
         add_range(out, color.span);
-        fmt::format_to(std::back_inserter(out), R"(,"color":{{"red":{},"green":{},"blue":{},"alpha":{}}}}})",
-                       color.rgba[0], color.rgba[1], color.rgba[2], color.rgba[3]);
+        out += fmt::format(R"(,"color":{{"red":{},"green":{},"blue":{},"alpha":{}}}}})", color.rgba[0], color.rgba[1],
+                           color.rgba[2], color.rgba[3]);
     });
     return out;
 }
@@ -219,9 +215,10 @@ std::string Encoder::tokens(const std::vector<SemanticToken>& tokens) const {
         const Place end = text.place(token.span.end, state_.encoding);
         if (end.line != begin.line || end.character <= begin.character) continue;
         const std::uint32_t down = begin.line - last.line;
-        fmt::format_to(std::back_inserter(out), "{}{},{},{},{},{}", out.back() == '[' ? "" : ",", down,
-                       down == 0 ? begin.character - last.character : begin.character, end.character - begin.character,
-                       static_cast<int>(token.type), static_cast<int>(token.modifiers));
+        out +=
+            fmt::format("{}{},{},{},{},{}", out.back() == '[' ? "" : ",", down,
+                        down == 0 ? begin.character - last.character : begin.character, end.character - begin.character,
+                        static_cast<int>(token.type), static_cast<int>(token.modifiers));
         last = begin;
     }
     return out += "]}";
@@ -234,11 +231,10 @@ std::string Encoder::lenses(const std::vector<CodeLens>& lenses, const std::stri
         const auto kind = static_cast<std::size_t>(lens.kind);
         out += R"({"range":)";
         add_range(out, lens.span);
-        fmt::format_to(std::back_inserter(out), R"(,"command":{{"title":"{}","command":"{}","arguments":[)",
-                       titles[kind], command_names[kind]);
+        out +=
+            fmt::format(R"(,"command":{{"title":"{}","command":"{}","arguments":[)", titles[kind], command_names[kind]);
         add_quoted(out, text_uri);
-        fmt::format_to(std::back_inserter(out), ",{}]}}}}",
-                       lines(lens.span.file).place(lens.span.begin, state_.encoding).line);
+        out += fmt::format(",{}]}}}}", lines(lens.span.file).place(lens.span.begin, state_.encoding).line);
     });
     return out;
 }

@@ -10,7 +10,7 @@ namespace snell::server {
 
 namespace {
 
-constexpr std::chrono::milliseconds most_time{1500};  // for all fixes of a scene
+constexpr std::chrono::milliseconds most_trial_time{1500};  // for all fixes of a scene
 
 // What is read with the fixes applied; nullopt if one is in no file of the user's.
 std::optional<Access> fixed(const Diagnostic& diagnostic, const Sources& sources, const Access& access) {
@@ -66,7 +66,7 @@ bool is_good(const Diagnostic& diagnostic, const Checked& before, const Checked&
 }  // namespace
 
 void keep_good_fixes(Checked& checked, const Access& access, const std::function<Checked(const Access&)>& check) {
-    const auto end = std::chrono::steady_clock::now() + most_time;
+    const auto end = std::chrono::steady_clock::now() + most_trial_time;
     Diagnostics kept;
     for (Diagnostic diagnostic : checked.diagnostics.items()) {
         if (!diagnostic.fixes.empty()) {

@@ -9,7 +9,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-const std::string shader = "uniform float uKa;\nvoid main() { gl_FragColor = vec4(uKa); }\n";
+const std::string shader_text = "uniform float uKa;\nvoid main() { gl_FragColor = vec4(uKa); }\n";
 
 TEST(SameFiles, AShaderOfTwoNamesIsOneForItsPrograms) {
     for (const std::string name :
@@ -17,7 +17,7 @@ TEST(SameFiles, AShaderOfTwoNamesIsOneForItsPrograms) {
         SCOPED_TRACE(name);
         const std::string scene =
             "Fragment b.frag\nProgram A uKa .3\nFragment " + name + "\nProgram B uKa .8\nSphere\n";
-        std::string marked = shader;
+        std::string marked = shader_text;
         marked.insert(marked.find("uKa"), "@");
         const Editor editor(scene, {{"b.frag", marked}, {"sub/x", ""}},
                             {{"link.frag", "b.frag"}, {"sub/far.frag", "../b.frag"}, {"folder", "."}});
@@ -30,7 +30,7 @@ TEST(SameFiles, AShaderOfTwoNamesIsOneForItsPrograms) {
 
 TEST(SameFiles, FromTheSceneToo) {
     const Editor editor("Fragment link.frag\nProgram A u@Ka .3\nFragment b.frag\nProgram B uKa .8\nSphere\n",
-                        {{"b.frag", shader}}, {{"link.frag", "b.frag"}});
+                        {{"b.frag", shader_text}}, {{"link.frag", "b.frag"}});
     EXPECT_EQ(editor.references(),
               (Lines{"link.frag:1 uKa", "link.frag:2 uKa", "scene.glib:2 uKa", "scene.glib:4 uKa"}));
     EXPECT_EQ(editor.file("b.frag"), editor.file("link.frag"));
@@ -63,7 +63,7 @@ TEST(SameFiles, OtherFilesAreBesideTheOtherName) {
 
 TEST(SameFiles, AnIncludedSceneIsEditedOnce) {
     const Editor editor("Include more.inc\nInclude link.inc\nSphere\n",
-                        {{"more.inc", "Fragment b.frag\nProgram A u@Ka .3\n"}, {"b.frag", shader}},
+                        {{"more.inc", "Fragment b.frag\nProgram A u@Ka .3\n"}, {"b.frag", shader_text}},
                         {{"link.inc", "more.inc"}});
     EXPECT_EQ(editor.references(), (Lines{"b.frag:1 uKa", "b.frag:2 uKa", "more.inc:2 uKa"}));
 }
@@ -71,7 +71,7 @@ TEST(SameFiles, AnIncludedSceneIsEditedOnce) {
 // A name that leaves a link by ".." is another file than it seems.
 TEST(SameFiles, LinksComeBeforeDots) {
     const Editor editor("Fragment link/../b.frag\nProgram A u@Ka .3\nSphere\n",
-                        {{"b.frag", "void main() {}\n"}, {"deep/inner/x", ""}, {"deep/b.frag", shader}},
+                        {{"b.frag", "void main() {}\n"}, {"deep/inner/x", ""}, {"deep/b.frag", shader_text}},
                         {{"link", "deep/inner"}});
     EXPECT_EQ(editor.file("b.frag"), ~FileId{0});
     EXPECT_EQ(editor.file("deep/b.frag"), editor.file("link/../b.frag"));

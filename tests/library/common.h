@@ -65,6 +65,7 @@ protected:
     INSTANTIATE_TEST_SUITE_P(All, Suite, testing::ValuesIn(snell::test::dialects), \
                              [](const auto& dialect) { return std::string(dialect.param.name); })
 
+inline glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 bool finite(const glm::vec4& v);
 
 // Values that break naive code: zeros, denormals, the ends of the range, infinities, NaN, neighbours of 1, indices.

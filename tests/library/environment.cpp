@@ -15,11 +15,9 @@ using namespace optics;
 
 class LibraryEnvironment : public LibraryTest {};
 
-constexpr std::string_view include = "#include <snell/environment.glsl>\n";
+constexpr std::string_view environment_include = "#include <snell/environment.glsl>\n";
 const Room room{{1, -2, 0.5}, {5, 3, 4}};
 const std::string in_room = "vec3(5., 3., 4.), vec3(1., -2., .5)";
-
-glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 
 // a: a point in the room, b: a direction of any length.
 std::vector<Arguments> views(double reach = 0.98) {
@@ -35,7 +33,8 @@ std::vector<Arguments> views(double reach = 0.98) {
 
 TEST_P(LibraryEnvironment, TheBoxAgreesWithTheOracle) {
     const auto arguments = views();
-    const auto results = run(include, "return vec4(snellBoxDirection(a.xyz, b.xyz, " + in_room + "), 0.);", arguments);
+    const auto results =
+        run(environment_include, "return vec4(snellBoxDirection(a.xyz, b.xyz, " + in_room + "), 0.);", arguments);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const glm::dvec3 truth = box_direction(vec(arguments[i].a), vec(arguments[i].b), room);
         EXPECT_LT(glm::length(vec(results[i]) - truth), 2e-5) << i;
@@ -58,7 +57,7 @@ TEST_P(LibraryEnvironment, TheBoxIsDefinedForEveryPoint) {
                 }
     ASSERT_GE(arguments.size(), 1000U);
     const auto results =
-        run(include, "return vec4(snellBoxDirection(a.xyz, b.xyz, vec3(5.), vec3(0.)), 0.);", arguments);
+        run(environment_include, "return vec4(snellBoxDirection(a.xyz, b.xyz, vec3(5.), vec3(0.)), 0.);", arguments);
     const auto off_wall = [](const glm::vec4& r) {
         return !finite(r) || std::abs(std::max({std::abs(r.x), std::abs(r.y), std::abs(r.z)}) - 5) > 1e-4;
     };
@@ -75,7 +74,7 @@ TEST_P(LibraryEnvironment, TheBoxIsDefinedForEveryPoint) {
          "rays off the walls", 0, static_cast<double>(wrong), static_cast<double>(wrong_printed)});
     int bad = 0;
     for (const glm::vec4& r :
-         run(include, "return vec4(snellBoxDirection(vec3(1., 2., 3.), b.xyz, vec3(5.), vec3(0.)), 0.);",
+         run(environment_include, "return vec4(snellBoxDirection(vec3(1., 2., 3.), b.xyz, vec3(5.), vec3(0.)), 0.);",
              special_arguments(5000)))
         bad += !finite(r);
     EXPECT_EQ(bad, 0);
@@ -83,9 +82,10 @@ TEST_P(LibraryEnvironment, TheBoxIsDefinedForEveryPoint) {
 
 TEST_P(LibraryEnvironment, TheWallAgreesWithTheOracle) {
     const auto arguments = views();
-    const auto results = run(
-        include, "vec2 st; int face = snellWall(a.xyz, b.xyz, " + in_room + ", st); return vec4(st, float(face), 0.);",
-        arguments);
+    const auto results =
+        run(environment_include,
+            "vec2 st; int face = snellWall(a.xyz, b.xyz, " + in_room + ", st); return vec4(st, float(face), 0.);",
+            arguments);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const glm::dvec3 hit = box_direction(vec(arguments[i].a), vec(arguments[i].b), room) / room.half;
         const auto truth = wall_point(hit);
@@ -102,11 +102,12 @@ TEST_P(LibraryEnvironment, TheInfiniteDirectionPointsTheSameWay) {
     std::vector<Arguments> arguments;
     for (const glm::dvec3& d : unit_vectors(1000))
         for (double length : {1.0, 1e-30, 1e30, 2.9e38}) arguments.push_back({{glm::vec3(d * length), 0}, {}, {}});
-    const auto results = run(include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", arguments);
+    const auto results = run(environment_include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", arguments);
     for (std::size_t i = 0; i < arguments.size(); ++i)
         EXPECT_LT(angle_between(vec(results[i]), vec(arguments[i].a)), 1e-6) << i;
     const auto no_direction = [](const glm::vec4& r) { return !finite(r) || !(glm::length(vec(r)) > 0.9); };
-    const auto ours = run(include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", special_arguments(5000));
+    const auto ours =
+        run(environment_include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", special_arguments(5000));
     const auto naive = run("", "return vec4(normalize(a.xyz), 0.);", special_arguments(5000));
     hard_case({"17", "directions with 0, 1e-44, 3e38, infinity, NaN into a cube map; naive: normalize()",
                "of 5000 that are none", 0, static_cast<double>(std::count_if(ours.begin(), ours.end(), no_direction)),
@@ -131,8 +132,8 @@ TEST_P(LibraryEnvironment, TheImpostorAgreesWithTheOracle) {
     double mean_before = 10;
     for (int k : {0, 1, 2, 4, 8}) {
         const auto results =
-            run(include, "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, " + std::to_string(k) + "), 0.);",
-                arguments);
+            run(environment_include,
+                "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, " + std::to_string(k) + "), 0.);", arguments);
         double mean = 0;
         int strayed = 0;
         for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -147,9 +148,10 @@ TEST_P(LibraryEnvironment, TheImpostorAgreesWithTheOracle) {
         mean_before = mean + 1e-4;
     }
     EXPECT_LT(mean_before, 3e-3);
-    const auto many = run(include, "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, 1000000), 0.);", arguments);
+    const auto many =
+        run(environment_include, "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, 1000000), 0.);", arguments);
     const auto results_of_eight =
-        run(include, "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, 8), 0.);", arguments);
+        run(environment_include, "return vec4(snellImpostorDirection(cube, a.xyz, b.xyz, 8), 0.);", arguments);
     // Mesa's software renderer ends the loops of a shader at 65,535 rounds in all, and says nothing.
     const glm::vec4 counted = run("", "float n = 0.; for (int i = 0; i < int(a.x); ++i) n += 1.; return vec4(n);",
                                   {{{70000, 0, 0, 0}, {}, {}}})[0];
@@ -220,10 +222,10 @@ TEST_P(LibraryEnvironment, DenormalsDoNotMatter) {
     };
     const auto same = [](const Arguments& in) { return vec(in.a); };
     const auto wall = [&](const Arguments& in) { return box_direction(vec(in.b), vec(in.a), here); };
-    const double ours =
-        std::max({worst(include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", same),
-                  worst(include, "return vec4(snellNormalize(a.xyz, vec3(0.)), 0.);", same),
-                  worst(include, "return vec4(snellBoxDirection(b.xyz, a.xyz, vec3(5.), vec3(0.)), 0.);", wall)});
+    const double ours = std::max(
+        {worst(environment_include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", same),
+         worst(environment_include, "return vec4(snellNormalize(a.xyz, vec3(0.)), 0.);", same),
+         worst(environment_include, "return vec4(snellBoxDirection(b.xyz, a.xyz, vec3(5.), vec3(0.)), 0.);", wall)});
     const double naive =
         worst("",
               "vec3 inverse = 1. / a.xyz, far = max((5. - b.xyz) * inverse, (-5. - b.xyz) * inverse);\n"

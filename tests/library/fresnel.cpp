@@ -13,7 +13,7 @@ using namespace optics;
 
 class LibraryFresnel : public LibraryTest {};
 
-constexpr std::string_view include = "#include <snell/fresnel.glsl>\n";
+constexpr std::string_view fresnel_include = "#include <snell/fresnel.glsl>\n";
 
 // a = (c, n1, n2): both sides of eight materials, cosines denser toward grazing and next to the critical angle.
 std::vector<Arguments> incidences() {
@@ -49,10 +49,10 @@ double worst(const std::vector<Arguments>& arguments, const std::vector<glm::vec
 TEST_P(LibraryFresnel, ExactAgreesWithTheOracle) {
     const auto arguments = incidences();
     ASSERT_GE(arguments.size(), 1000U);
-    const auto results = run(include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments);
+    const auto results = run(fresnel_include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments);
     EXPECT_LT(worst(arguments, results, fresnel), 3e-6);
-    const auto polarised =
-        run(include, "vec2 f = snellFresnelPolarised(a.x, a.y, a.z); return vec4(f.y, f.x, 0., 0.);", arguments);
+    const auto polarised = run(
+        fresnel_include, "vec2 f = snellFresnelPolarised(a.x, a.y, a.z); return vec4(f.y, f.x, 0., 0.);", arguments);
     EXPECT_LT(
         worst(arguments, polarised, [](double c, double n1, double n2) { return fresnel_polarised(c, n1, n2).p; }),
         3e-6);
@@ -61,7 +61,7 @@ TEST_P(LibraryFresnel, ExactAgreesWithTheOracle) {
 TEST_P(LibraryFresnel, RungsAgreeWithTheOracle) {
     const auto arguments = incidences();
     const auto check = [&](const char* body, double (*truth)(double, double, double)) {
-        EXPECT_LT(worst(arguments, run(include, body, arguments), truth), 1e-5) << body;
+        EXPECT_LT(worst(arguments, run(fresnel_include, body, arguments), truth), 1e-5) << body;
     };
     check("return vec4(snellFresnelF0(a.y, a.z));",
           [](double, double n1, double n2) { return normal_reflectance(n1, n2); });
@@ -86,7 +86,7 @@ TEST_P(LibraryFresnel, MetalsAgreeWithTheOracle) {
             for (float k : {0.0F, 0.01F, 1.9F, 4.5F, 12.0F})
                 for (int i = 0; i <= 40; ++i) arguments.push_back({{static_cast<float>(i) / 40, n1, eta, k}, {}, {}});
     ASSERT_GE(arguments.size(), 1000U);
-    const auto results = run(include, "return vec4(snellFresnelConductor(a.x, a.y, a.z, a.w));", arguments);
+    const auto results = run(fresnel_include, "return vec4(snellFresnelConductor(a.x, a.y, a.z, a.w));", arguments);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const glm::vec4 a = arguments[i].a;
         double nearest = 1;
@@ -105,7 +105,7 @@ TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
           "return vec4(snellFresnelCg(a.x, .3, 2., a.y));", "return vec4(snellFresnelConductor(a.x, a.y, a.z, a.w));",
           "vec2 f = snellFresnelPolarised(a.x, a.y, a.z); return vec4(f.xyxy);"}) {
         int bad = 0;
-        const auto results = run(include, body, arguments);
+        const auto results = run(fresnel_include, body, arguments);
         for (const glm::vec4& r : results) bad += !(r.x >= 0 && r.x <= 1 && r.y >= 0 && r.y <= 1);
         EXPECT_EQ(bad, 0) << body;
     }
@@ -115,16 +115,19 @@ TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
             std::count_if(out.begin(), out.end(), [](const glm::vec4& r) { return !(r.x >= 0 && r.x <= 1); }));
     };
     hard_case({"70", "reflectances of anything lie in [0,1]", "of 20000 out of [0,1]", 0,
-               out_of_range(include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", arguments), std::nullopt});
+               out_of_range(fresnel_include, "return vec4(snellFresnelSchlick(a.x, a.y, a.z));", arguments),
+               std::nullopt});
     std::vector<Arguments> rounded, odd;
     for (int i = 0; i < 100; ++i) rounded.push_back({{1 + static_cast<float>(i) * 3.6e-9F, 1, 1.5F, 0}, {}, {}});
     hard_case({"7", "dot products of unit vectors are up to 1 + 3.6e-7; naive: pow(1. - dot, 5.)",
-               "of 100 out of [0,1]", 0, out_of_range(include, "return vec4(snellFresnelSchlick5(a.x, .04));", rounded),
+               "of 100 out of [0,1]", 0,
+               out_of_range(fresnel_include, "return vec4(snellFresnelSchlick5(a.x, .04));", rounded),
                out_of_range("", "return vec4(.04 + .96 * pow(1. - a.x, 5.));", rounded)});
     for (const float x : {0.0F, -0.1F, -0.5F})
         for (const float power : {0.0F, -1.0F, 1.55F}) odd.push_back({{1 - x, power, 0, 0}, {}, {}});
     hard_case({"8", "pow(0, 0), pow(0, -1), pow(-.5, 1.55) are undefined; naive: pow() of the same",
-               "of 9 out of [0,1]", 0, out_of_range(include, "return vec4(snellFresnelCg(a.x, 0., 1., a.y));", odd),
+               "of 9 out of [0,1]", 0,
+               out_of_range(fresnel_include, "return vec4(snellFresnelCg(a.x, 0., 1., a.y));", odd),
                out_of_range("", "return vec4(pow(1. - a.x, a.y));", odd)});
 }
 
@@ -144,15 +147,16 @@ TEST_P(LibraryFresnel, NearlyEqualIndicesKeepTheirDigits) {
         "float eta = a.y / a.z, t = sqrt(max(0., 1. - eta * eta * (1. - a.x * a.x)));\n"
         "float s = (a.y * a.x - a.z * t) / (a.y * a.x + a.z * t), p = (a.z * a.x - a.y * t) / (a.z * a.x + a.y * t);\n"
         "return vec4(.5 * (s * s + p * p));";
-    hard_case({"9", "exact Fresnel where n is 1.0003: difference of squares; naive: of products", "of the light", 2e-6,
-               worst(run(include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments), arguments, of_light),
-               worst(run("", textbook, arguments), arguments, of_light)});
+    hard_case(
+        {"9", "exact Fresnel where n is 1.0003: difference of squares; naive: of products", "of the light", 2e-6,
+         worst(run(fresnel_include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments), arguments, of_light),
+         worst(run("", textbook, arguments), arguments, of_light)});
     for (const auto& [n1, n2] : {std::pair(1.5F, 1.5003F), {1.33F, 1.3301F}, {1.0003F, 1.0F}, {1.5168F, 1.518F}})
         indices.push_back({{1, n1, n2, 0}, {}, {}});
     const auto relative = [](const glm::vec4& a, double f) { return std::abs(f / normal_reflectance(a.y, a.z) - 1); };
     hard_case({"10", "f0 of nearly equal indices, such as oil on glass; naive: ((n - 1) / (n + 1))² of their ratio n",
                "relative", 1e-5,
-               worst(run(include, "return vec4(snellFresnelF0(a.y, a.z));", indices), indices, relative),
+               worst(run(fresnel_include, "return vec4(snellFresnelF0(a.y, a.z));", indices), indices, relative),
                worst(run("", "float n = a.z / a.y, r = (n - 1.) / (n + 1.); return vec4(r * r);", indices), indices,
                      relative)});
 }
@@ -167,7 +171,7 @@ TEST_P(LibraryFresnel, TheCriticalAngle) {
         for (int i = 0; i < around; ++i) c = std::nextafter(c, 0.0F);
         for (int i = 0; i < 2 * around; ++i, c = std::nextafter(c, 1.0F)) arguments.push_back({{c, n, 1, 0}, {}, {}});
     }
-    const auto results = run(include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments);
+    const auto results = run(fresnel_include, "return vec4(snellFresnelExact(a.x, a.y, a.z));", arguments);
     int backward = 0, flips = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
         const float c = arguments[i].a.x, n = arguments[i].a.y, f = results[i].x;
@@ -200,7 +204,7 @@ TEST_P(LibraryFresnel, PowersAreMultiplied) {
         return worst;
     };
     hard_case({"A21", "the fifth power of Schlick's form: multiplied; naive: pow(x, 5.)", "units of the last place", 3,
-               ulps(include, "return vec4(snellPow5(a.x));"), ulps("", "return vec4(pow(a.x, 5. + b.x));")});
+               ulps(fresnel_include, "return vec4(snellPow5(a.x));"), ulps("", "return vec4(pow(a.x, 5. + b.x));")});
 }
 
 TEST_P(LibraryFresnel, EveryRungIsMonotone) {
@@ -212,7 +216,7 @@ TEST_P(LibraryFresnel, EveryRungIsMonotone) {
           "return vec4(snellFresnelGaussian(a.x, a.y, a.z));", "return vec4(snellFresnelOneMinusCos(a.x));",
           "return vec4(snellFresnelCg(a.x, .3, 2., 2.));", "return vec4(snellFresnelSchlick2(a.x, .0426));"}) {
         float before = 0;
-        for (const glm::vec4& r : run(include, body, arguments)) {
+        for (const glm::vec4& r : run(fresnel_include, body, arguments)) {
             EXPECT_GE(r.x, before - 2e-6F) << body;
             EXPECT_LE(r.x, 1.0F) << body;
             before = r.x;
@@ -226,7 +230,7 @@ TEST_P(LibraryFresnel, ExactIsReciprocal) {
     std::vector<Arguments> arguments;
     for (float n : {1.33F, 1.52F, 2.42F})
         for (int i = 1; i <= 400; ++i) arguments.push_back({{static_cast<float>(i) / 400, 1, n, 0}, {}, {}});
-    const auto results = run(include,
+    const auto results = run(fresnel_include,
                              "float t = snellCosTransmitted(a.x, a.y, a.z);"
                              "return vec4(snellFresnelExact(a.x, a.y, a.z), snellFresnelExact(t, a.z, a.y), 0., 0.);",
                              arguments);

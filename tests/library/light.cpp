@@ -21,8 +21,6 @@ using namespace optics;
 
 class LibraryLight : public LibraryTest {};
 
-glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
-
 glm::dvec3 walls(const glm::dvec3& d) {
     const glm::dvec3 a = glm::abs(d);
     if (a.x >= a.y && a.x >= a.z) return d.x > 0 ? glm::dvec3(0.9, 0.3, 0.3) : glm::dvec3(0.3, 0.9, 0.3);

@@ -14,8 +14,6 @@ namespace {
 
 using namespace optics;
 
-glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
-
 class LibraryMesh : public LibraryTest {
 protected:
     void use(const content::Mesh& mesh, bool in_model_coordinates = false) {
@@ -61,7 +59,7 @@ protected:
     std::vector<std::uint32_t> indices;
 };
 
-constexpr std::string_view include = "#include <snell/mesh.glsl>\n";
+constexpr std::string_view mesh_include = "#include <snell/mesh.glsl>\n";
 
 // An eye looks at the mesh from (1, 2, 3), pixel by pixel; a = (eye, n), b = (direction, 0).
 std::vector<Arguments> view(int side, float n) {
@@ -85,7 +83,7 @@ TEST_P(LibraryMesh, HitsAgreeWithTheOracle) {
         arguments.push_back({{2 * any(random), 2 * any(random), 2 * any(random), static_cast<float>(i % 3 - 1)},
                              {any(random), any(random), any(random), 0},
                              {}});
-    const auto hits = run(include,
+    const auto hits = run(mesh_include,
                           "SnellMeshHit hit; bool found = snellMeshHit(a.xyz, b.xyz, int(a.w), hit);\n"
                           "return vec4(snellMeshPoint(hit.triangle, hit.weights), found ? hit.distance : -9.);",
                           arguments);
@@ -121,7 +119,7 @@ TEST_P(LibraryMesh, LetsNothingSlipThrough) {
                 const auto p = glm::vec3(glm::mix(corners[indices[i + k]], corners[indices[i + (k + 1) % 3]], t));
                 arguments.push_back({{origin, 0}, {p - origin, 0}, {}});
             }
-    const auto hits = run(include,
+    const auto hits = run(mesh_include,
                           "SnellMeshHit hit; bool found = snellMeshHit(a.xyz, b.xyz, SNELL_BACK, hit);\n"
                           "return vec4(found ? hit.distance : -9., length(b.xyz), 0., 0.);",
                           arguments);
@@ -133,8 +131,9 @@ TEST_P(LibraryMesh, NormalsAreTheMeshs) {
     const MeshTracer mesh(corners, indices);
     const auto arguments = view(36, 1);
     const std::string found = "SnellMeshHit hit; if (!snellMeshHit(a.xyz, b.xyz, SNELL_FRONT, hit)) return vec4(0.);\n";
-    const auto flat = run(include, found + "return vec4(snellMeshFaceNormal(hit.triangle), 1.);", arguments);
-    const auto curved = run(include, found + "return vec4(snellMeshNormal(hit.triangle, hit.weights), 1.);", arguments);
+    const auto flat = run(mesh_include, found + "return vec4(snellMeshFaceNormal(hit.triangle), 1.);", arguments);
+    const auto curved =
+        run(mesh_include, found + "return vec4(snellMeshNormal(hit.triangle, hit.weights), 1.);", arguments);
     int compared = 0;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const auto hit = mesh.nearest({vec(arguments[i].a), vec(arguments[i].b)}, 0, Facing::front);
@@ -204,7 +203,7 @@ TEST_P(LibraryMesh, PathsAgreeWithTheOracle) {
                 pixel.c = {static_cast<float>(k), test.interpolated ? 1 : 0, 0, 0};
                 arguments.push_back(pixel);
             }
-        const auto out = run(include,
+        const auto out = run(mesh_include,
                              "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, c.y > 0.);\nfloat exits = 0.;\n"
                              "for (int i = 0; i <= int(c.x); ++i) if (snellMeshNext(s)) exits += 1.;\n"
                              "return vec4(s.direction, exits > c.x ? s.energy : -1.);",
@@ -236,7 +235,7 @@ TEST_P(LibraryMesh, AllLightIsAccountedFor) {
     for (const MeshCase& test : cases) {
         SCOPED_TRACE(test.name);
         use(test.shape);
-        const auto sums = run(include,
+        const auto sums = run(mesh_include,
                               "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, false);\n"
                               "float sum = 0., open = 0., count = 0.;\n"
                               "for (int i = 0; i < 200; ++i) { if (!snellMeshNext(s)) break; sum += s.energy; count += "
@@ -270,7 +269,7 @@ TEST_P(LibraryMesh, FarFromTheModelsOriginAndOfAnySize) {
         for (Arguments& pixel : arguments)
             for (int k = 0; k < 3; ++k) pixel.a[k] = (pixel.a[k] + offset) * size;
         use(moved, naive);
-        return run(include, body, arguments);
+        return run(mesh_include, body, arguments);
     };
     const auto at_home = seen(0, 1, false);
     const auto off = [&](float offset, float size, bool naive) {
@@ -308,7 +307,7 @@ TEST_P(LibraryMesh, OpenAndInnerFaces) {
         double worst = 0;
         int open_exits = 0;
         for (const glm::vec4& r :
-             run(include,
+             run(mesh_include,
                  "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, 1., a.w, false);\n"
                  "float sum = 0., open = 0.;\nfor (int i = 0; i < 200; ++i) { if (!snellMeshNext(s)) "
                  "break; sum += s.energy; open += s.closed ? 0. : 1.; }\n"
@@ -333,7 +332,7 @@ TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
         "SnellMesh s = snellMeshBegin(a.xyz, b.xyz, a.w, b.w, c.x > 0.);\n"
         "float sum = 0.;\nfor (int i = 0; i < 4; ++i) if (snellMeshNext(s)) sum += s.energy;\n"
         "return vec4(s.direction, sum);";
-    const auto results = run(include, body, arguments);
+    const auto results = run(mesh_include, body, arguments);
     int bad = 0;
     for (const glm::vec4& r : results)
         bad += !finite(r) || std::abs(glm::length(vec(r)) - 1) > 1e-5 || r.w < 0 || r.w > 1.00001F;
@@ -342,11 +341,11 @@ TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
     content::Mesh mesh;
     use(mesh);
     const std::vector<Arguments> one{{{0, 0, 5, 1}, {0.01F, 0.02F, -1, 1.5F}, {1, 0, 0, 0}}};
-    EXPECT_NEAR(run(include, body, one)[0].w, 1, 1e-6) << "passes by";
+    EXPECT_NEAR(run(mesh_include, body, one)[0].w, 1, 1e-6) << "passes by";
     mesh.positions = {{0, 0, 0}, {0, 0, 0}, {1, 1, 1}, {1e30F, 0, 0}, {0, 1e30F, 0}, {1e-30F, 1e-30F, 0}};
     mesh.indices = {0, 1, 2, 0, 3, 4, 0, 2, 5};
     use(mesh);
-    EXPECT_TRUE(finite(run(include, body, one)[0]));
+    EXPECT_TRUE(finite(run(mesh_include, body, one)[0]));
 }
 
 TEST(MeshRows, AreAsLongAsTheTexturesAreWide) {

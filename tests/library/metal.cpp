@@ -13,7 +13,7 @@ using namespace optics;
 
 class LibraryMetal : public LibraryTest {};
 
-constexpr std::string_view include = "#include <snell/fresnel.glsl>\n";
+constexpr std::string_view metal_include = "#include <snell/fresnel.glsl>\n";
 
 // a = (c, eta, k, 0): every metal of the table at five wavelengths.
 std::vector<Arguments> mirrors() {
@@ -30,7 +30,7 @@ std::vector<Arguments> mirrors() {
 TEST_P(LibraryMetal, EveryRungAgreesWithTheOracle) {
     const auto arguments = mirrors();
     ASSERT_GE(arguments.size(), 1000U);
-    const auto rungs = run(include,
+    const auto rungs = run(metal_include,
                            "float f0 = snellFresnelConductor(1., 1., a.y, a.z);\n"
                            "float d = snellFresnelLazanyiDepth(1., a.y, a.z);\n"
                            "return vec4(snellFresnelSchlick5(a.x, f0), snellFresnelLazanyi(a.x, f0, d), "
@@ -50,7 +50,7 @@ TEST_P(LibraryMetal, SpecialValuesGiveReflectances) {
     for (const char* body : {"return vec4(snellFresnelLazanyi(a.x, a.y, a.z));",
                              "return vec4(snellFresnelLazanyi(a.x, .9, snellFresnelLazanyiDepth(a.y, a.z, a.w)));"}) {
         int bad = 0;
-        for (const glm::vec4& r : run(include, body, special_arguments(10000))) bad += !(r.x >= 0 && r.x <= 1);
+        for (const glm::vec4& r : run(metal_include, body, special_arguments(10000))) bad += !(r.x >= 0 && r.x <= 1);
         EXPECT_EQ(bad, 0) << body;
     }
 }

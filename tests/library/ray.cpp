@@ -14,12 +14,10 @@ using namespace optics;
 
 class LibraryRay : public LibraryTest {};
 
-constexpr std::string_view include = "#include <snell/ray.glsl>\n";
+constexpr std::string_view ray_include = "#include <snell/ray.glsl>\n";
 constexpr std::string_view hit_ball =
     "float t0, t1; bool hit = snellHitSphere(a.xyz, b.xyz, vec3(0.), 1., t0, t1); return vec4(t0, t1, hit ? 1. : 0., "
     "0.);";
-
-glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 
 // Toward points within .95 of the ball's radius, from a distance.
 std::vector<Arguments> from_afar(double distance) {
@@ -36,7 +34,7 @@ std::vector<Arguments> from_afar(double distance) {
 TEST_P(LibraryRay, ABallIsHitFromAfar) {
     for (double distance : {3.0, 10.0, 100.0, 1000.0}) {
         const auto arguments = from_afar(distance);
-        const auto results = run(include, hit_ball, arguments);
+        const auto results = run(ray_include, hit_ball, arguments);
         const auto textbook = run("",
                                   "float q = dot(a.xyz, b.xyz), k = q * q - (dot(a.xyz, a.xyz) - 1.);"
                                   "return vec4(k < 0. ? 0. : -q - sqrt(k));",
@@ -71,8 +69,8 @@ TEST_P(LibraryRay, BoxesAndMissesAgreeWithTheOracle) {
             along.b[axis] = 1;
             arguments.push_back(along);
         }
-    const auto balls = run(include, hit_ball, arguments);
-    const auto boxes = run(include,
+    const auto balls = run(ray_include, hit_ball, arguments);
+    const auto boxes = run(ray_include,
                            "float t0, t1; bool hit = snellHitBox(a.xyz, b.xyz, vec3(-1., -2., -3.), vec3(2.), t0, t1);"
                            "return vec4(t0, t1, hit ? 1. : 0., 0.);",
                            arguments);
@@ -100,7 +98,7 @@ TEST_P(LibraryRay, SpecialValuesGiveNumbers) {
                                        "t1); return vec4(t0, t1, 0., 0.);"};
     for (const std::string_view body : bodies) {
         int bad = 0;
-        for (const glm::vec4& r : run(include, body, arguments)) bad += !finite(r);
+        for (const glm::vec4& r : run(ray_include, body, arguments)) bad += !finite(r);
         EXPECT_EQ(bad, 0) << body;
     }
     const Arguments bright{{1, 2, 3, 0}, {HUGE_VALF, HUGE_VALF, HUGE_VALF, 0}, {}};

@@ -13,9 +13,7 @@ using namespace optics;
 
 class LibraryRefraction : public LibraryTest {};
 
-constexpr std::string_view include = "#include <snell/refraction.glsl>\n";
-
-glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
+constexpr std::string_view refraction_include = "#include <snell/refraction.glsl>\n";
 
 // a = (I, n1), b = (N, n2), lengths from .01 to 100, from both sides.
 std::vector<Arguments> meetings() {
@@ -33,10 +31,11 @@ std::vector<Arguments> meetings() {
 TEST_P(LibraryRefraction, DirectionsAgreeWithTheOracle) {
     const auto arguments = meetings();
     ASSERT_GE(arguments.size(), 1000U);
-    const auto refracted = run(
-        include, "vec3 T; bool through = snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, through ? 1. : 0.);",
-        arguments);
-    const auto mirrored = run(include, "return vec4(snellReflect(a.xyz, b.xyz), 1.);", arguments);
+    const auto refracted =
+        run(refraction_include,
+            "vec3 T; bool through = snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, through ? 1. : 0.);",
+            arguments);
+    const auto mirrored = run(refraction_include, "return vec4(snellReflect(a.xyz, b.xyz), 1.);", arguments);
     const auto by_glsl = run("", "return vec4(reflect(a.xyz, b.xyz), 1.);", arguments);
     double worst = 0, worst_by_glsl = 0;
     int compared = 0;
@@ -66,7 +65,7 @@ TEST_P(LibraryRefraction, EqualIndicesChangeNothing) {
         arguments.push_back({{std::sqrt((1 - c) * (1 + c)), 0, -c, 1.4F}, {0, 0, 1, 1.4F}, {}});
     }
     const auto results =
-        run(include, "vec3 T; snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, 1.);", arguments);
+        run(refraction_include, "vec3 T; snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, 1.);", arguments);
     const auto naive = run("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", arguments);
     double worst = 0, worst_naive = 0;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -89,7 +88,7 @@ TEST_P(LibraryRefraction, SpecialValuesGiveDirections) {
         const auto out = run(before, body, with);
         return static_cast<double>(std::count_if(out.begin(), out.end(), no_direction));
     };
-    for (const char* body : bodies) EXPECT_EQ(count(include, body, arguments), 0) << body;
+    for (const char* body : bodies) EXPECT_EQ(count(refraction_include, body, arguments), 0) << body;
     // Good vectors, and ratios that mean nothing.
     std::vector<Arguments> ratios;
     for (const glm::dvec3& d : unit_vectors(200))
@@ -97,17 +96,20 @@ TEST_P(LibraryRefraction, SpecialValuesGiveDirections) {
             ratios.push_back({{glm::vec3(d), eta}, {0, 0, d.z > 0 ? -1 : 1, 1}, {}});
     ratios.push_back({{0, 0, -1, 1e20F}, {0, 0, 1, 1}, {}});
     hard_case({"4", "eta of 0, -0, -.66, 1e20, infinity, NaN; naive: refract()", "of 1201 that are no direction", 0,
-               count(include, bodies[0], ratios), count("", "return vec4(refract(a.xyz, b.xyz, a.w), 1.);", ratios)});
+               count(refraction_include, bodies[0], ratios),
+               count("", "return vec4(refract(a.xyz, b.xyz, a.w), 1.);", ratios)});
     // refract() of a vector of zero looks like a direction: what goes in has to be looked at.
     const std::vector<Arguments> zeros = {{{0, 0, 0, 1}, {0, 0, 1, 1.5F}, {}}, {{0, 0, -1, 1}, {0, 0, 0, 1.5F}, {}}};
     const char* turned = "vec3 T; snellRefract(a.xyz, b.xyz, a.w, b.w, T); return vec4(T, 1.);";
     hard_case({"A12", "refract() of I = 0 or of N = 0 gives (0,0,-.75), (0,0,-.67)", "of 2 that are no direction", 0,
-               count(include, turned, zeros), count("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", zeros)});
+               count(refraction_include, turned, zeros),
+               count("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", zeros)});
     const std::vector<Arguments> huge = {{{0, 0, -1, 1e20F}, {0, 0, 1, 1}, {}}};
     hard_case({"A13", "eta of 1e20 at normal incidence: inf · 0, or -0", "of 1 that is no direction", 0,
-               count(include, turned, huge), count("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", huge)});
+               count(refraction_include, turned, huge),
+               count("", "return vec4(refract(a.xyz, b.xyz, a.w / b.w), 1.);", huge)});
     int bad = 0;
-    for (const glm::vec4& r : run(include, "return vec4(snellReflect(a.xyz, b.xyz), 1.);", arguments))
+    for (const glm::vec4& r : run(refraction_include, "return vec4(snellReflect(a.xyz, b.xyz), 1.);", arguments))
         bad += !finite(r);
     EXPECT_EQ(bad, 0);
     int naive = 0;
@@ -125,7 +127,7 @@ TEST_P(LibraryRefraction, WhatEnteredASlabLeavesIt) {
             const double c = std::pow(10.0, -5.0 * i / 500);
             arguments.push_back({{std::sqrt((1 - c) * (1 + c)), 0, -c, 1}, {0, 0, 1, n}, {}});
         }
-    const auto results = run(include,
+    const auto results = run(refraction_include,
                              "vec3 T, U; bool entered = snellRefract(a.xyz, b.xyz, a.w, b.w, T);\n"
                              "bool left = snellRefract(T, -b.xyz, a.w, b.w, U);\n"
                              "return vec4(U, entered && left ? 1. : 0.);",
@@ -144,7 +146,7 @@ TEST_P(LibraryRefraction, WhatEnteredASlabLeavesIt) {
                "of 2000 rays caught", 0, static_cast<double>(caught), static_cast<double>(caught_by_glsl)});
 }
 
-std::vector<Arguments> impacts() {
+std::vector<Arguments> fair_impacts() {
     std::vector<Arguments> out;
     const auto directions = unit_vectors(3000);
     const float indices[] = {1.31F, 1.5F, 2.42F};
@@ -157,9 +159,10 @@ std::vector<Arguments> impacts() {
 }
 
 TEST_P(LibraryRefraction, TheSphereAgreesWithTheOracle) {
-    const auto arguments = impacts();
+    const auto arguments = fair_impacts();
     ASSERT_GE(arguments.size(), 1000U);
-    const auto results = run(include, "return vec4(snellRefractSphere(a.xyz, b.xyz, a.w, b.w), 1.);", arguments);
+    const auto results =
+        run(refraction_include, "return vec4(snellRefractSphere(a.xyz, b.xyz, a.w, b.w), 1.);", arguments);
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const auto truth = through_sphere(vec(arguments[i].a), vec(arguments[i].b), 1, arguments[i].b.w);
         if (truth.exits.size() < 2) continue;
@@ -168,15 +171,15 @@ TEST_P(LibraryRefraction, TheSphereAgreesWithTheOracle) {
 }
 
 TEST_P(LibraryRefraction, EveryOrderAgreesWithTheOracle) {
-    const auto arguments = impacts();
+    const auto arguments = fair_impacts();
     for (int order : {0, 1, 2, 3, 5, 8, 16}) {
         const std::string walk =
             "SnellSphere s = snellSphereBegin(a.xyz, b.xyz, a.w, b.w); float steps = 0.;\n"
             "for (int i = 0; i < " +
             std::to_string(order) + "; ++i) if (snellSphereNext(s)) steps += 1.;\n";
-        const auto out = run(include, walk + "return vec4(s.direction, s.energy);", arguments);
-        const auto state = run(include, walk + "return vec4(s.normal, s.inside);", arguments);
-        const auto steps = run(include, walk + "return vec4(steps);", arguments);
+        const auto out = run(refraction_include, walk + "return vec4(s.direction, s.energy);", arguments);
+        const auto state = run(refraction_include, walk + "return vec4(s.normal, s.inside);", arguments);
+        const auto steps = run(refraction_include, walk + "return vec4(steps);", arguments);
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             const auto truth = through_sphere(vec(arguments[i].a), vec(arguments[i].b), 1, arguments[i].b.w, order);
             const auto last = static_cast<std::size_t>(steps[i].x);
@@ -193,10 +196,10 @@ TEST_P(LibraryRefraction, EveryOrderAgreesWithTheOracle) {
 
 // All the light is accounted for, and the series ends by itself.
 TEST_P(LibraryRefraction, TheSphereKeepsTheLight) {
-    auto arguments = impacts();
+    auto arguments = fair_impacts();
     for (const Arguments& special : special_arguments(3000)) arguments.push_back(special);
     const auto results =
-        run(include,
+        run(refraction_include,
             "SnellSphere s = snellSphereBegin(a.xyz, b.xyz, a.w, b.w);\n"
             "float sum = s.energy, count = 0.;\n"
             "for (int i = 0; i < 1000; ++i) { if (!snellSphereNext(s)) break; sum += s.energy; count += 1.; }\n"
@@ -213,7 +216,7 @@ TEST_P(LibraryRefraction, TheSphereKeepsTheLight) {
                              "float cosine = clamp(-dot(a.xyz, b.xyz), 0., 1.);\n"
                              "return vec4(abs(snellFresnelExact(cosine, 1., b.w) - snellFresnelSchlick5(cosine, "
                              "snellFresnelF0(1., b.w))));",
-                             impacts());
+                             fair_impacts());
     double most = 0;
     for (const glm::vec4& r : schlick) most = std::max(most, static_cast<double>(r.x));
     hard_case({"11",

@@ -13,8 +13,6 @@ using namespace optics;
 constexpr int size = 256;
 constexpr double range = 8;
 
-glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
-
 // A ball of radius 1 about (0, 0, -3) in a view whose clip coordinates are those of the eye.
 class LibraryTwoSided : public LibraryTest {
 protected:

@@ -88,7 +88,7 @@ def files_below(tree):
 def build(tree, folder, targets):
     if not (folder / "build.ninja").exists():
         subprocess.run(["cmake", "-S", tree, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        "-DSNELL_TESTS=ON"], check=True, stdout=subprocess.DEVNULL)
+                        "-DSNELL_TESTS=ON", "-DSNELL_TOGETHER=OFF"], check=True, stdout=subprocess.DEVNULL)
     return subprocess.run(["ninja", "-C", folder, "--quiet", *targets], capture_output=True, text=True)
 
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/refraction.h"
@@ -12,7 +13,7 @@
 namespace snell::optics {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr double degrees = 180 / pi;
 
 struct Error {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/hard_case.h"
 #include "tests/oracle/optics/dispersion.h"
@@ -11,7 +12,8 @@
 namespace snell::optics {
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
+
 constexpr double indices[] = {1.0003, 1.31, 1.33, 1.5, 1.52, 2.42, 4.0};
 
 // The transmitted part, from the amplitudes of Fresnel's equations: T = (n2 cos t) / (n1 cos i) · t².

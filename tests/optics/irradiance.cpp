@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "tests/hard_case.h"
@@ -12,7 +13,7 @@
 namespace snell::optics {
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 std::vector<glm::dvec3> directions(int count) {
     std::mt19937 random(5);

@@ -34,11 +34,11 @@ const std::vector<Rung>& rungs() {
 }
 
 // Over the disc that a distant ball covers: weight 2 c dc.
-struct Error {
+struct Misfit {
     double mean = 0, largest = 0;
 };
-Error error(const Rung& rung, double n1, double n2) {
-    Error e;
+Misfit error(const Rung& rung, double n1, double n2) {
+    Misfit e;
     constexpr int steps = 20000;
     for (int i = 0; i < steps; ++i) {
         const double c = (i + 0.5) / steps;
@@ -55,7 +55,7 @@ TEST(FresnelLadder, HasTheErrorsItPrints) {
     } printed[] = {{.052, .957},   {.242, .489},  {.107, .315}, {.476, .869},
                    {.0090, .0345}, {.0049, .104}, {.0077, .038}};
     for (std::size_t i = 0; i < std::size(printed); ++i) {
-        const Error e = error(rungs()[i], 1, 1.52);
+        const Misfit e = error(rungs()[i], 1, 1.52);
         EXPECT_NEAR(e.mean / printed[i].mean, 1, 0.1) << rungs()[i].name << ": " << e.mean;
         EXPECT_NEAR(e.largest / printed[i].largest, 1, 0.1) << rungs()[i].name << ": " << e.largest;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "tests/hard_case.h"
@@ -14,7 +15,8 @@
 namespace snell::optics {
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
+
 const Room room{{0, 0, 0}, {5, 5, 5}};
 
 TEST(BoxDirection, PointsAtTheWallTheRayMeets) {
@@ -56,12 +58,12 @@ TEST(BoxDirection, IsDefinedForEveryPoint) {
 }
 
 // Rays from a camera at distance 3 that a ball of radius 1 in the room's middle mirrors, over the disc it covers.
-struct Error {
+struct Deviation {
     double mean = 0, largest = 0;
 };
 template <class F>
-Error over_ball(double radius, const glm::dvec3& centre, double eye, F look) {
-    Error error;
+Deviation over_ball(double radius, const glm::dvec3& centre, double eye, F look) {
+    Deviation error;
     int count = 0;
     constexpr int size = 220;
     for (int y = 0; y < size; ++y)

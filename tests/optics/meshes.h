@@ -3,13 +3,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include <glm/glm.hpp>
 
 namespace snell::optics {
 
-inline const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 struct Triangles {
     std::vector<glm::dvec3> positions;

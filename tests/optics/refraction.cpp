@@ -4,12 +4,13 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 namespace snell::optics {
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 glm::dvec3 random_direction(std::mt19937& random) {
     std::normal_distribution<double> gauss;
@@ -18,7 +19,7 @@ glm::dvec3 random_direction(std::mt19937& random) {
 
 // A ray that meets the plane y = 0 from above at an angle from the normal.
 glm::dvec3 ray_down(double angle) { return {std::sin(angle), -std::cos(angle), 0.0}; }
-const glm::dvec3 up(0, 1, 0);
+const glm::dvec3 upward(0, 1, 0);
 
 TEST(Mirror, AnglesAreEqualAndTheVectorStaysInThePlane) {
     std::mt19937 random(1);
@@ -43,9 +44,9 @@ TEST(Mirror, TwiceIsTheIdentity) {
 TEST(Mirror, WithoutADirectionThereIsNone) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& bad : {glm::dvec3(0), glm::dvec3(nan, 0, 1), glm::dvec3(infinity, 0, 0)}) {
-        EXPECT_FALSE(mirror(bad, up));
-        EXPECT_FALSE(mirror(up, bad));
-        EXPECT_FALSE(meet(bad, up, 1, 1.5));
+        EXPECT_FALSE(mirror(bad, upward));
+        EXPECT_FALSE(mirror(upward, bad));
+        EXPECT_FALSE(meet(bad, upward, 1, 1.5));
     }
 }
 
@@ -66,13 +67,13 @@ TEST(Refraction, ObeysSnellsLawFromBothSides) {
     for (double n : {1.0003, 1.31, 1.5, 2.42})
         for (int i = 0; i < 90; ++i) {
             const double angle = i * pi / 180;
-            const auto in = meet(ray_down(angle), up, 1.0, n);
+            const auto in = meet(ray_down(angle), upward, 1.0, n);
             ASSERT_TRUE(in && !in->total);
             EXPECT_EQ(in->side, Side::outside);
-            const double beyond = angle_between(in->transmitted, -up);
+            const double beyond = angle_between(in->transmitted, -upward);
             EXPECT_NEAR(std::sin(angle), n * std::sin(beyond), 4e-15);
             // The same path backwards leaves as it came.
-            const auto back = meet(-in->transmitted, up, 1.0, n);
+            const auto back = meet(-in->transmitted, upward, 1.0, n);
             ASSERT_TRUE(back);
             EXPECT_EQ(back->side, Side::inside);
             if (back->total) continue;  // by rounding, at grazing incidence
@@ -94,13 +95,13 @@ TEST(Refraction, StaysInThePlaneOfIncidenceAndOnTheOtherSide) {
 }
 
 TEST(Refraction, LengthsOfTheVectorsDoNotMatter) {
-    const auto a = meet(ray_down(0.7), up, 1.0, 1.5), b = meet(4.2 * ray_down(0.7), 0.013 * up, 1.0, 1.5);
+    const auto a = meet(ray_down(0.7), upward, 1.0, 1.5), b = meet(4.2 * ray_down(0.7), 0.013 * upward, 1.0, 1.5);
     EXPECT_LT(angle_between(a->transmitted, b->transmitted), 1e-15);
 }
 
 TEST(Refraction, BetweenEqualIndicesNothingHappensEvenAtGrazingIncidence) {
     for (double angle : {0.0, 0.5, 1.5, 1.57, pi / 2 - 1e-6}) {
-        const auto m = meet(ray_down(angle), up, 1.3, 1.3);
+        const auto m = meet(ray_down(angle), upward, 1.3, 1.3);
         EXPECT_FALSE(m->total);
         EXPECT_LT(angle_between(m->transmitted, ray_down(angle)), 1e-12) << angle;
     }
@@ -109,14 +110,14 @@ TEST(Refraction, BetweenEqualIndicesNothingHappensEvenAtGrazingIncidence) {
 TEST(Refraction, TotalReflectionBeginsAtTheCriticalAngle) {
     for (double n : {1.31, 1.5, 2.42}) {
         const double critical = *critical_angle(n, 1.0);
-        const auto from_inside = [&](double angle) { return *meet(-ray_down(angle), up, 1.0, n); };
+        const auto from_inside = [&](double angle) { return *meet(-ray_down(angle), upward, 1.0, n); };
         EXPECT_FALSE(from_inside(critical - 1e-9).total);
         const Interface beyond = from_inside(critical + 1e-9);
         EXPECT_TRUE(beyond.total);
         EXPECT_EQ(beyond.transmitted, beyond.reflected);
         EXPECT_GT(from_inside(critical - 1e-9).cos_transmitted, 0.0);
         // Near it the transmitted ray runs along the surface.
-        EXPECT_NEAR(angle_between(from_inside(critical - 1e-9).transmitted, up), pi / 2, 1e-4);
+        EXPECT_NEAR(angle_between(from_inside(critical - 1e-9).transmitted, upward), pi / 2, 1e-4);
     }
     EXPECT_FALSE(critical_angle(1.0, 1.5));
     EXPECT_FALSE(critical_angle(1.5, 1.5));
@@ -124,8 +125,8 @@ TEST(Refraction, TotalReflectionBeginsAtTheCriticalAngle) {
 
 TEST(Refraction, UnusableIndicesGiveNothing) {
     for (double n : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-        EXPECT_FALSE(meet(ray_down(0.3), up, 1.0, n)) << n;
-    for (double n : {1e-20, 1e20}) EXPECT_TRUE(meet(ray_down(0.3), up, 1.0, n)) << n;
+        EXPECT_FALSE(meet(ray_down(0.3), upward, 1.0, n)) << n;
+    for (double n : {1e-20, 1e20}) EXPECT_TRUE(meet(ray_down(0.3), upward, 1.0, n)) << n;
 }
 
 TEST(Glsl, AgreesWithPhysicsForUnitVectors) {
@@ -141,13 +142,14 @@ TEST(Glsl, AgreesWithPhysicsForUnitVectors) {
 }
 
 TEST(Glsl, PastTheCriticalAngleIsTheZeroVector) {
-    EXPECT_EQ(glsl_refract(ray_down(1.0), up, 1.5), glm::dvec3(0));
-    EXPECT_NE(glsl_refract(ray_down(0.5), up, 1.5), glm::dvec3(0));
+    EXPECT_EQ(glsl_refract(ray_down(1.0), upward, 1.5), glm::dvec3(0));
+    EXPECT_NE(glsl_refract(ray_down(0.5), upward, 1.5), glm::dvec3(0));
 }
 
 // What the seeds' shader does: a view vector as long as the distance is.
 TEST(Glsl, LongVectorsGoWrongByDegrees) {
-    const glm::dvec3 right = glsl_refract(ray_down(0.6), up, 0.66), wrong = glsl_refract(4.0 * ray_down(0.6), up, 0.66);
+    const glm::dvec3 right = glsl_refract(ray_down(0.6), upward, 0.66),
+                     wrong = glsl_refract(4.0 * ray_down(0.6), upward, 0.66);
     EXPECT_GT(angle_between(right, wrong), 5 * pi / 180);
     EXPECT_NEAR(wrong.x, 0.66 * 4.0 * std::sin(0.6), 1e-15);
     const double d = -4.0 * std::cos(0.6), k = 1 - 0.66 * 0.66 * (1 - d * d);

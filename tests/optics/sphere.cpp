@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "tests/hard_case.h"
@@ -13,7 +14,7 @@
 namespace snell::optics {
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 // A ray along -z that meets the ball of radius 1 at distance b from its axis.
 struct Impact {

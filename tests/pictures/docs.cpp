@@ -15,7 +15,7 @@ namespace snell::test {
 
 namespace {
 
-constexpr int side = 160;
+constexpr int page_side = 160;
 
 class Pictures : public GlTest {};
 
@@ -40,7 +40,8 @@ TEST_F(Pictures, ShowWhatTheCasesDraw) {
         SCOPED_TRACE(command.name);
         auto document = open_file(SNELL_ROOT "/tests/cases/" + std::string(command.name) + ".glib");
         expect_clean(*document);
-        const content::Image image = rgb(draw(*document, {.width = side, .height = side, .samples = 4, .time = 1.3}));
+        const content::Image image =
+            rgb(draw(*document, {.width = page_side, .height = page_side, .samples = 4, .time = 1.3}));
         const std::string path = SNELL_ROOT "/docs/images/" + std::string(command.name) + ".png";
         if (update) {
             EXPECT_EQ(content::write_image(path, image), "");

@@ -9,7 +9,7 @@ namespace snell::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int side = 512;
+constexpr int picture_side = 512;
 
 class Silhouettes : public GlTest {
 protected:
@@ -17,8 +17,8 @@ protected:
     double area(const std::string& statement, bool from_above = false) {
         const std::string view = from_above ? "LookAt 0 5 0 0 0 0 0 0 -1\n" : "LookAt 0 0 5 0 0 0 0 1 0\n";
         const Picture picture = draw("Background 0 0 0\nOrtho -2 2 -2 2\n" + view + "Color 1 1 1\n" + statement + "\n",
-                                     {.width = side, .height = side});
-        return picture.count({255, 255, 255, 255}) * 16.0 / (side * side);
+                                     {.width = picture_side, .height = picture_side});
+        return picture.count({255, 255, 255, 255}) * 16.0 / (picture_side * picture_side);
     }
     void expect(const std::string& statement, double analytic, bool from_above = false) {
         EXPECT_NEAR(area(statement, from_above), analytic, analytic * .01) << statement;
@@ -68,21 +68,21 @@ TEST_F(Silhouettes, Soccerball) { expect("Soccerball 1.5", pi * 2.25); }
 // The teapot's own measure is less simple; GLUT's, from the side: between its bounding box and half of that.
 TEST_F(Silhouettes, TeapotFacesItsSpoutToX) {
     const Picture picture = draw("Background 0 0 0\nOrtho -2 2 -2 2\nLookAt 0 0 5 0 0 0 0 1 0\nColor 1 1 1\nTeapot\n",
-                                 {.width = side, .height = side});
-    int left = side, right = 0, top = side, bottom = 0;
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x)
+                                 {.width = picture_side, .height = picture_side});
+    int left = picture_side, right = 0, top = picture_side, bottom = 0;
+    for (int y = 0; y < picture_side; ++y)
+        for (int x = 0; x < picture_side; ++x)
             if (picture.at(x, y)[0] == 255) {
                 left = std::min(left, x);
                 right = std::max(right, x);
                 top = std::min(top, y);
                 bottom = std::max(bottom, y);
             }
-    const double unit = side / 4.0;
+    const double unit = picture_side / 4.0;
     EXPECT_NEAR((right - left) / unit, 3.2, .1);    // handle to spout
     EXPECT_NEAR((bottom - top) / unit, 1.575, .1);  // base to lid
     // The spout (on +X) reaches farther from the axis than the handle.
-    EXPECT_GT(right - side / 2, side / 2 - left);
+    EXPECT_GT(right - picture_side / 2, picture_side / 2 - left);
 }
 
 // Seen from outside every front face shows: culling back faces changes nothing, culling front faces shows the

@@ -13,46 +13,20 @@
 #include "src/plan/values/fit.h"
 #include "src/plan/view.h"
 #include "tests/hard_case.h"
+#include "tests/plan/finite.h"
 
 namespace snell {
 namespace {
 
 using test::hard_case;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = 3.14159265358979323846;
-
-template <class Matrix>
-bool all_finite(const Matrix& m) {
-    for (int c = 0; c < Matrix::length(); ++c)
-        for (int r = 0; r < Matrix::col_type::length(); ++r)
-            if (!std::isfinite(m[c][r])) return false;
-    return true;
-}
-
-// Largest entry of MᵀM - I; NaN stays NaN.
-template <class Matrix>
-double rigidity(const Matrix& view) {
-    const glm::dmat3 r(view), d = glm::transpose(r) * r - glm::dmat3(1);
-    double worst = 0;
-    for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < 3; ++k)
-            if (!(std::abs(d[c][k]) <= worst) && !std::isnan(worst)) worst = std::abs(d[c][k]);
-    return worst;
-}
 
 // Between directions whose lengths may be anything that is not 0.
 double angle(glm::dvec3 a, glm::dvec3 b) {
     a /= std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
     b /= std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z)});
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
-Camera looking(Vec3 eye, Vec3 center, Vec3 up) {
-    Camera camera;
-    camera.look_at = {eye, center, up};
-    return camera;
 }
 
 glm::dvec3 vector(const Vec3& v) { return {v[0], v[1], v[2]}; }

@@ -8,43 +8,14 @@
 
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
+#include "tests/plan/finite.h"
 
 namespace snell {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-
-template <class Matrix>
-bool all_finite(const Matrix& m) {
-    for (int c = 0; c < Matrix::length(); ++c) {
-        for (int r = 0; r < Matrix::col_type::length(); ++r) {
-            if (!std::isfinite(m[c][r])) return false;
-        }
-    }
-    return true;
-}
-
 glm::dvec3 ndc(const glm::dmat4& m, glm::dvec3 p) {
     const glm::dvec4 clip = m * glm::dvec4(p, 1);
     return glm::dvec3(clip) / clip.w;
-}
-
-// Largest entry of MᵀM - I.
-double rigidity(const glm::dmat4& view) {
-    const glm::dmat3 r(view);
-    const glm::dmat3 d = glm::transpose(r) * r - glm::dmat3(1);
-    double worst = 0;
-    for (int c = 0; c < 3; ++c) {
-        for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(d[c][k]));
-    }
-    return worst;
-}
-
-Camera looking(Vec3 eye, Vec3 center, Vec3 up) {
-    Camera camera;
-    camera.look_at = {eye, center, up};
-    return camera;
 }
 
 glm::dmat4 diagonal(double x, double y, double z) {

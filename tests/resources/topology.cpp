@@ -6,7 +6,7 @@
 namespace snell::runtime {
 namespace {
 
-struct Row {
+struct ShapeRow {
     Topology topology;
     std::uint32_t least;  // indices of the first primitive
     std::uint32_t more;   // indices of each further one
@@ -14,12 +14,12 @@ struct Row {
 };
 
 TEST(Topologies, CountTheirPrimitives) {
-    for (const Row& row :
-         {Row{Topology::lines, 2, 2, false}, Row{Topology::line_strip, 2, 1, false},
-          Row{Topology::triangles, 3, 3, true}, Row{Topology::triangle_strip, 3, 1, true},
-          Row{Topology::triangle_fan, 3, 1, true}, Row{Topology::lines_adjacency, 4, 4, false},
-          Row{Topology::line_strip_adjacency, 4, 1, false}, Row{Topology::triangles_adjacency, 6, 6, true},
-          Row{Topology::triangle_strip_adjacency, 6, 2, true}})
+    for (const ShapeRow& row :
+         {ShapeRow{Topology::lines, 2, 2, false}, ShapeRow{Topology::line_strip, 2, 1, false},
+          ShapeRow{Topology::triangles, 3, 3, true}, ShapeRow{Topology::triangle_strip, 3, 1, true},
+          ShapeRow{Topology::triangle_fan, 3, 1, true}, ShapeRow{Topology::lines_adjacency, 4, 4, false},
+          ShapeRow{Topology::line_strip_adjacency, 4, 1, false}, ShapeRow{Topology::triangles_adjacency, 6, 6, true},
+          ShapeRow{Topology::triangle_strip_adjacency, 6, 2, true}})
         for (std::uint32_t count = 0, made = 0; count < 20; ++count) {
             if (count >= row.least && (count - row.least) % row.more == 0) ++made;
             EXPECT_EQ(triangle_count(row.topology, count), row.triangles ? made : 0) << count;

@@ -25,7 +25,7 @@ std::string page_words();
 std::string snippets();
 
 // A string of JSON. The text has no control characters.
-std::string quoted(std::string_view text);
+std::string json_text(std::string_view text);
 
 // `intro` is the text before the commands.
 std::vector<Document> generate(const std::string& intro);

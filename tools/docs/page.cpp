@@ -9,7 +9,7 @@
 
 namespace snell::docs {
 
-std::string quoted(std::string_view text) {
+std::string json_text(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') out += '\\';
@@ -30,9 +30,10 @@ std::string lines(const std::vector<std::string>& entries) {
 std::vector<std::string> command_entries() {
     std::vector<std::string> out;
     for (const Command& c : commands()) {
-        std::string entry = "{\"name\": " + quoted(c.name);
-        if (!c.alias.empty()) entry += ", \"alias\": " + quoted(c.alias);
-        out.push_back(entry + ", \"signature\": " + quoted(c.signature.text) + ", \"doc\": " + quoted(c.doc) + "}");
+        std::string entry = "{\"name\": " + json_text(c.name);
+        if (!c.alias.empty()) entry += ", \"alias\": " + json_text(c.alias);
+        out.push_back(entry + ", \"signature\": " + json_text(c.signature.text) + ", \"doc\": " + json_text(c.doc) +
+                      "}");
     }
     return out;
 }
@@ -44,13 +45,14 @@ std::vector<std::string> choice_entries() {
             for (const std::string_view word : split(p.choices, '/')) words.insert(word);
     for (const std::string_view name : topology_names()) words.insert(name);
     std::vector<std::string> out;
-    for (const std::string_view word : words) out.push_back(quoted(word));
+    for (const std::string_view word : words) out.push_back(json_text(word));
     return out;
 }
 
 template <typename Facts>
 std::string variable(std::string_view name, const Facts& facts) {
-    return "{\"name\": " + quoted(name) + ", \"type\": " + quoted(facts.type) + ", \"doc\": " + quoted(facts.doc) + "}";
+    return "{\"name\": " + json_text(name) + ", \"type\": " + json_text(facts.type) +
+           ", \"doc\": " + json_text(facts.doc) + "}";
 }
 
 std::vector<std::string> variable_entries() {

@@ -57,8 +57,8 @@ std::string body(const Command& command) {
         if (wanted(p)) line += " " + placeholder(p, std::to_string(++number));
     }
     const std::string_view end = end_of_block(command.name);
-    if (end.empty()) return quoted(line);
-    return "[" + quoted(line) + ", \"\\t$0\", " + quoted(end) + "]";
+    if (end.empty()) return json_text(line);
+    return "[" + json_text(line) + ", \"\\t$0\", " + json_text(end) + "]";
 }
 
 }  // namespace
@@ -66,8 +66,8 @@ std::string body(const Command& command) {
 std::string snippets() {
     std::string out;
     for (const Command& c : commands())
-        out += (out.empty() ? "{\n  " : ",\n  ") + quoted(c.name) + ": {\"prefix\": " + quoted(c.name) +
-               ", \"body\": " + body(c) + ", \"description\": " + quoted(c.doc) + "}";
+        out += (out.empty() ? "{\n  " : ",\n  ") + json_text(c.name) + ": {\"prefix\": " + json_text(c.name) +
+               ", \"body\": " + body(c) + ", \"description\": " + json_text(c.doc) + "}";
     return out + "\n}\n";
 }
 

@@ -73,7 +73,7 @@ std::string lower_name(const std::string& path) {
 }
 
 // As the page sees it (web/page/archive.ts): "C:a.glib" is a drive on other systems.
-bool plain(std::string_view name) {
+bool is_plain(std::string_view name) {
     if (name.size() > 1 && name[1] == ':' && lower(name[0]) >= 'a' && lower(name[0]) <= 'z') return false;
     for (std::size_t at = 0; at < name.size();) {
         const utf8::Char c = utf8::decode(name, at);
@@ -83,21 +83,21 @@ bool plain(std::string_view name) {
     return true;
 }
 
-std::string shown(const std::string& path) { return utf8::printable(fs::path(path).lexically_normal().string()); }
+std::string shown_name(const std::string& path) { return utf8::printable(fs::path(path).lexically_normal().string()); }
 
 std::string one_name(const std::string& a, const std::string& b, std::string_view copy) {
     return fmt::format(
         "'{}' and '{}' have one name, and {} has all files that are not near the scene in the scene's folder: rename "
         "one of them",
-        shown(a), shown(b), copy);
+        shown_name(a), shown_name(b), copy);
 }
 
 // Two of the files on the disk that a copy could not tell apart; "" where there are none.
 std::string confused(const std::vector<NamedFile>& files, const std::set<std::string>& moved, std::string_view copy) {
     std::map<std::string, std::string> known;
     for (const NamedFile& file : files) {
-        if (!plain(file.name))
-            return fmt::format("'{}' has a name that {} cannot hold: rename it", shown(file.path), copy);
+        if (!is_plain(file.name))
+            return fmt::format("'{}' has a name that {} cannot hold: rename it", shown_name(file.path), copy);
         const auto [other, is_new] = known.emplace(lower_name(file.path), file.path);
         std::error_code error;
         const bool near = !moved.contains(file.path) && !moved.contains(other->second);

@@ -7,7 +7,7 @@ namespace snell::content {
 
 namespace {
 
-void on_warning(png_structp, png_const_charp) {}
+void on_write_warning(png_structp, png_const_charp) {}
 
 void on_flush(png_structp) {}
 
@@ -28,7 +28,7 @@ bool PngEncoder::begin(const Image& shape) {
     constexpr std::array<int, 4> colors{PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
                                         PNG_COLOR_TYPE_RGB_ALPHA};
     error_ = "out of memory";
-    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_warning);
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, this, on_error, on_write_warning);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
     if (!info_) return false;
     error_.clear();

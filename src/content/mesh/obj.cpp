@@ -11,18 +11,18 @@ namespace snell::content {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;  // indices into ObjData::corners
-constexpr std::uint32_t empty = ~std::uint32_t{0};
+constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
 
 Vec3 wide(const Float3& v) { return {v[0], v[1], v[2]}; }
-Float3 narrow(const Vec3& v) {
+Float3 to_float3(const Vec3& v) {
     return {static_cast<float>(v[0]) + 0.f, static_cast<float>(v[1]) + 0.f, static_cast<float>(v[2]) + 0.f};
 }
 
 // Normalises `v`; zero if it has no direction.
-Float3 unit(const Vec3& v) {
+Float3 unit_normal(const Vec3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
     if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
-    return narrow({v[0] / length, v[1] / length, v[2] / length});
+    return to_float3({v[0] / length, v[1] / length, v[2] / length});
 }
 bool is_zero(const Vec3& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
@@ -77,7 +77,7 @@ std::vector<Float3> normals_by_place(const ObjData& data, const std::vector<Corn
     std::vector<Float3> normals(places.places);
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const bool cancelled = std::hypot(sum[i][0], sum[i][1], sum[i][2]) <= 1e-9 * total[i];
-        normals[i] = unit(cancelled ? first[i] : sum[i]);
+        normals[i] = unit_normal(cancelled ? first[i] : sum[i]);
         if (normals[i] == Float3{0, 0, 0}) normals[i] = {0, 0, 1};
     }
     return normals;
@@ -91,14 +91,14 @@ public:
           mesh_(mesh),
           computed_(std::move(computed)),
           places_(places),
-          head_(data.positions.size(), empty) {}
+          head_(data.positions.size(), no_vertex) {}
 
     std::uint32_t operator()(ObjCorner c) {
         Float3 normal{0, 0, 0};
-        if (c.normal >= 0) normal = unit(wide(data_.normals[static_cast<std::size_t>(c.normal)]));
+        if (c.normal >= 0) normal = unit_normal(wide(data_.normals[static_cast<std::size_t>(c.normal)]));
         if (normal == Float3{0, 0, 0}) c.normal = -1;
         const auto at = static_cast<std::size_t>(c.position);
-        for (std::uint32_t v = head_[at]; v != empty; v = made_[v].next)
+        for (std::uint32_t v = head_[at]; v != no_vertex; v = made_[v].next)
             if (made_[v].texcoord == c.texcoord && made_[v].normal == c.normal) return v;
         const auto index = static_cast<std::uint32_t>(made_.size());
         made_.push_back({c.texcoord, c.normal, head_[at]});

@@ -7,7 +7,7 @@
 namespace snell::content {
 namespace {
 
-double fraction(int i, int n) { return static_cast<double>(i) / n; }
+double share(int i, int n) { return static_cast<double>(i) / n; }
 
 // Adds a straight side from (radius0, y0) up to (radius1, y1) in `stacks` steps.
 void add_side(std::vector<Ring>& rings, double radius0, double y0, double radius1, double y1, int stacks, double t0,
@@ -16,7 +16,7 @@ void add_side(std::vector<Ring>& rings, double radius0, double y0, double radius
     double radial = y1 - y0, up = radius0 - radius1;
     if (radial == 0 && up == 0) radial = 1;
     for (int j = 0; j <= stacks; ++j) {
-        const double f = fraction(j, stacks);
+        const double f = share(j, stacks);
         rings.push_back({radius0 * (1 - f) + radius1 * f, y0 * (1 - f) + y1 * f, radial, up, t0 * (1 - f) + t1 * f});
     }
 }
@@ -54,7 +54,7 @@ Mesh make_sphere(const Sphere& s, bool wire) {
     std::vector<Ring> rings;
     for (int j = 0; j <= s.stacks; ++j) {
         const double radial = angle[static_cast<std::size_t>(j)].sin, up = -angle[static_cast<std::size_t>(j)].cos;
-        rings.push_back({s.radius * radial, s.radius * up, radial, up, fraction(j, s.stacks)});
+        rings.push_back({s.radius * radial, s.radius * up, radial, up, share(j, s.stacks)});
     }
     Surface surface(wire);
     revolve(surface, s.slices, rings, true);
@@ -68,7 +68,7 @@ Mesh make_torus(const Torus& s, bool wire) {
     std::vector<Ring> rings;
     for (int j = 0; j <= s.sides; ++j) {
         const SinCos a = tube[static_cast<std::size_t>(j)];
-        rings.push_back({s.outer + s.inner * a.cos, s.inner * a.sin, a.cos, a.sin, fraction(j, s.sides)});
+        rings.push_back({s.outer + s.inner * a.cos, s.inner * a.sin, a.cos, a.sin, share(j, s.sides)});
     }
     Surface surface(wire);
     revolve(surface, s.rings, rings);
@@ -99,7 +99,7 @@ Mesh make_disk(const Disk& s, bool wire) {
     Surface surface(wire);
     surface.grid(s.rings, s.slices, [&](int ring, int slice) {
         const SinCos a = around[static_cast<std::size_t>(slice)];
-        const double f = fraction(ring, s.rings);
+        const double f = share(ring, s.rings);
         surface.vertex({s.radius * f * a.cos, s.radius * f * a.sin, s.z}, {0, 0, 1},
                        {.5 + .5 * f * a.cos, .5 + .5 * f * a.sin, 0});
     });

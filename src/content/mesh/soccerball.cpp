@@ -16,7 +16,7 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
 Vec3 blend(const Vec3& a, const Vec3& b, double f) {
     return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
 }
-Vec3 unit(const Vec3& v) {
+Vec3 unit_vector(const Vec3& v) {
     const double length = std::sqrt(dot(v, v));
     return {v[0] / length, v[1] / length, v[2] / length};
 }
@@ -31,7 +31,7 @@ std::array<Vec3, 12> icosahedron() {
                 corners[i] = {0, 0, 0};
                 corners[i][(axis + 1) % 3] = a;
                 corners[i][(axis + 2) % 3] = b;
-                corners[i] = unit(corners[i]);
+                corners[i] = unit_vector(corners[i]);
                 ++i;
             }
     return corners;
@@ -88,14 +88,14 @@ public:
         : surface_(surface), face_(face), radius_(radius) {
         for (const Corner& c : face)
             corners_.push_back(
-                unit(blend(ico[static_cast<std::size_t>(c.from)], ico[static_cast<std::size_t>(c.to)], 1. / 3)));
+                unit_vector(blend(ico[static_cast<std::size_t>(c.from)], ico[static_cast<std::size_t>(c.to)], 1. / 3)));
         for (const Vec3& c : corners_)
             for (std::size_t k = 0; k < 3; ++k) centre_[k] += c[k] / static_cast<double>(corners_.size());
         const Vec3 arm = blend(
             {0, 0, 0}, {corners_[0][0] - centre_[0], corners_[0][1] - centre_[1], corners_[0][2] - centre_[2]}, 1);
         reach_ = std::sqrt(dot(arm, arm));
-        s_axis_ = unit(arm);
-        t_axis_ = cross(unit(centre_), s_axis_);
+        s_axis_ = unit_vector(arm);
+        t_axis_ = cross(unit_vector(centre_), s_axis_);
     }
 
     void make() {
@@ -123,7 +123,7 @@ private:
     }
 
     std::uint32_t add(const Vec3& flat, double p) {
-        const Vec3 out = unit(flat);
+        const Vec3 out = unit_vector(flat);
         const Vec3 arm{flat[0] - centre_[0], flat[1] - centre_[1], flat[2] - centre_[2]};
         const double s = .5 + .5 * dot(arm, s_axis_) / reach_, t = .5 + .5 * dot(arm, t_axis_) / reach_;
         const auto clamp01 = [](double x) { return std::clamp(x, 0., 1.); };

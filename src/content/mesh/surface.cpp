@@ -12,7 +12,7 @@ Float3 to_float(const Vec3& v) {  // adding 0 turns -0 into 0
     return {static_cast<float>(v[0]) + 0.f, static_cast<float>(v[1]) + 0.f, static_cast<float>(v[2]) + 0.f};
 }
 
-Float3 unit(const Vec3& v) {
+Float3 unit_float3(const Vec3& v) {
     const double length = std::hypot(v[0], v[1], v[2]);
     return to_float({v[0] / length, v[1] / length, v[2] / length});
 }
@@ -28,12 +28,12 @@ void Surface::reserve(std::size_t vertices, std::size_t quads) {
 
 std::uint32_t Surface::vertex(const Vec3& position, const Vec3& normal, const Vec3& texcoord) {
     mesh_.positions.push_back(to_float(position));
-    mesh_.normals.push_back(unit(normal));
+    mesh_.normals.push_back(unit_float3(normal));
     mesh_.texcoords.push_back(to_float(texcoord));
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
 }
 
-void Surface::tangent(const Vec3& tangent) { mesh_.tangents.push_back(unit(tangent)); }
+void Surface::tangent(const Vec3& tangent) { mesh_.tangents.push_back(unit_float3(tangent)); }
 
 void Surface::edge(std::uint32_t a, std::uint32_t b) {
     if (!same(a, b)) mesh_.indices.insert(mesh_.indices.end(), {a, b});

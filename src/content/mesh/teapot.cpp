@@ -104,7 +104,7 @@ Vec3 evaluate(const Patch& patch, const Weights& s, const Weights& t) {
     return sum;
 }
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
+Vec3 cross_product(const Vec3& a, const Vec3& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 double length(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
@@ -153,9 +153,9 @@ Vec3 normal(const Net& net, double s, double t) {
     const Patch& patch = net.points;
     const Vec3 along_s = evaluate(patch, bernstein_slope(s), bernstein(t));
     const Vec3 along_t = evaluate(patch, bernstein(s), bernstein_slope(t));
-    const Vec3 product = cross(along_s, along_t);
+    const Vec3 product = cross_product(along_s, along_t);
     if (length(product) >= 1e-4 * net.largest[0] * net.largest[1]) return product;
-    return cross(evaluate(patch, bernstein_slope(s), bernstein_slope(t)), along_t);
+    return cross_product(evaluate(patch, bernstein_slope(s), bernstein_slope(t)), along_t);
 }
 
 }  // namespace

@@ -13,15 +13,14 @@ namespace {
 
 using log::Context;
 using log::Entry;
-using log::Kind;
 using log::Place;
 
 // The number of independent mistakes shown for one shader: students fix a few and try again.
 constexpr std::size_t most_errors = 6;
 
-std::string_view code_of(Kind kind) {
-    using enum Kind;
-    static constexpr std::pair<Kind, std::string_view> codes[] = {
+std::string_view code_of(log::Kind kind) {
+    using enum log::Kind;
+    static constexpr std::pair<log::Kind, std::string_view> codes[] = {
         {undeclared, "glsl-undeclared"}, {no_function, "glsl-call"},      {no_overload, "glsl-call"},
         {few_arguments, "glsl-call"},    {many_arguments, "glsl-call"},   {convert, "glsl-type"},
         {returns, "glsl-type"},          {operands, "glsl-type"},         {condition, "glsl-type"},
@@ -40,18 +39,20 @@ struct Found {
     Place place;
 };
 
-bool is_syntax(Kind kind) { return kind == Kind::syntax || kind == Kind::end_of_file || kind == Kind::if_unfinished; }
+bool is_syntax(log::Kind kind) {
+    return kind == log::Kind::syntax || kind == log::Kind::end_of_file || kind == log::Kind::if_unfinished;
+}
 
 bool same_line(const Found& x, const Found& y) {
     return x.place.known && y.place.known && x.place.file == y.place.file && x.place.line == y.place.line;
 }
 
 bool about_names(const Found& found) {
-    return found.entry.kind == Kind::undeclared || found.entry.kind == Kind::no_function;
+    return found.entry.kind == log::Kind::undeclared || found.entry.kind == log::Kind::no_function;
 }
 
 // Drivers report these kinds for expressions that contain another error.
-bool is_consequence(const Found& found) { return !about_names(found) && found.entry.kind != Kind::redeclared; }
+bool is_consequence(const Found& found) { return !about_names(found) && found.entry.kind != log::Kind::redeclared; }
 
 // Whether `later` would vanish if `cause` were mended.
 bool follows(const Found& later, const Found& cause) {
@@ -80,7 +81,7 @@ std::string told_of(const Entry& entry, const Context& context, std::string_view
 // What our own reading of the shader knows of the operands that the driver refused on this line.
 const Misfit* misfit_of(const Found& found, const Context& context) {
     const std::string_view text = found.entry.text;
-    const bool operands = found.entry.kind == Kind::operands || found.entry.kind == Kind::condition ||
+    const bool operands = found.entry.kind == log::Kind::operands || found.entry.kind == log::Kind::condition ||
                           text.find("operator") != text.npos || text.find("operand") != text.npos ||
                           text.find("HS of ") != text.npos;
     if (!operands || !context.stage || !found.place.known) return nullptr;
@@ -101,7 +102,7 @@ Diagnostic explain(const Found& found, const Context& context, std::string_view 
     Diagnostic diagnostic;
     diagnostic.severity = found.entry.severity;
     if (const Misfit* misfit = misfit_of(found, context)) {
-        diagnostic.code = code_of(Kind::operands);
+        diagnostic.code = code_of(log::Kind::operands);
         diagnostic.span = misfit->span;
         diagnostic.message = log::message(*misfit) + told_of(found.entry, context, program);
         diagnostic.help = log::help(*misfit);
@@ -127,7 +128,7 @@ std::vector<Mistake> folded(const std::vector<Found>& all, log::Texts& texts) {
             if (follows(found, group.cause)) return true;
             const auto beside = [&](const Found& other) { return is_consequence(found) && same_line(found, other); };
             if (std::any_of(group.rest.begin(), group.rest.end(), beside)) return true;
-            return found.entry.kind == Kind::undeclared && !found.entry.a.empty() &&
+            return found.entry.kind == log::Kind::undeclared && !found.entry.a.empty() &&
                    group.doubtful.contains(found.entry.a);
         };
         const auto group = std::find_if(groups.begin(), groups.end(), caused_by);

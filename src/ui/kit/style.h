@@ -22,6 +22,7 @@ struct Palette {
 const Palette& palette_of(Theme theme);
 // The palette of the current Dear ImGui context.
 const Palette& palette();
+inline ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
 struct Fonts {
     ImFont* text = nullptr;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -24,7 +23,7 @@ public:
     }
     template <typename... Arguments>
     Text& add(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-        fmt::format_to(std::back_inserter(buffer_), format, std::forward<Arguments>(arguments)...);
+        add_all(format, fmt::make_format_args(arguments...));
         return *this;
     }
 
@@ -41,6 +40,9 @@ public:
     }
 
 private:
+    // Compiled once, because the formatter that it instantiates takes the compiler seconds.
+    void add_all(fmt::string_view format, fmt::format_args arguments);
+
     mutable fmt::basic_memory_buffer<char, 320> buffer_;  // mutable for the terminating 0 of c_str()
 };
 

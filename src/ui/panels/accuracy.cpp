@@ -27,8 +27,6 @@ constexpr const char* found_meaning =
     "white "
     "is 1";
 
-ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
-
 // Draws dimmed text at the right end of the line, if there is room.
 void remark(const Text& text) {
     const float right = ImGui::GetContentRegionMax().x - width_of(text.view());

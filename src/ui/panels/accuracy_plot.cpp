@@ -18,8 +18,6 @@ namespace {
 
 using Standing = AccuracyPoint::Standing;
 
-ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
-
 // An error that is unknown has no place, least of all that of 0.
 bool shown(const AccuracyPoint& point) { return point.milliseconds > 0 && !std::isnan(point.error); }
 

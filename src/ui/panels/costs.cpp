@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "src/ui/kit/numbers.h"
+#include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
 #include "src/ui/panels/frame_cost.h"
@@ -19,8 +20,6 @@
 namespace snell::ui {
 
 namespace {
-
-ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
 // Rounds up to 1, 2 or 5 times a power of ten.
 double round_up(double value) {

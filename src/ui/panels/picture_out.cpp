@@ -17,7 +17,7 @@ namespace snell::ui {
 
 namespace {
 
-constexpr const char* title = "Save picture";
+constexpr const char* picture_title = "Save picture";
 constexpr double most_pictures = 1e6, largest = 1e6;
 
 void row(const char* name, const char* help = nullptr) {
@@ -117,12 +117,12 @@ int picture_count(const PictureMemory& picture) {
 void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
     PictureMemory& picture = memory.picture;
     if (!picture.open || !facts.scene) return;
-    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    if (!ImGui::IsPopupOpen(picture_title)) ImGui::OpenPopup(picture_title);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, ImGuiCond_Always, {.5F, .5F});
     ImGui::SetNextWindowSize({std::min(36 * em, all.x - em), 0});
-    if (!ImGui::BeginPopupModal(title, nullptr,
+    if (!ImGui::BeginPopupModal(picture_title, nullptr,
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))
         return;

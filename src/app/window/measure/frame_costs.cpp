@@ -15,7 +15,7 @@ namespace snell {
 
 namespace {
 
-constexpr std::size_t most_times = 60;  // of a pass
+constexpr std::size_t most_pass_times = 60;  // of a pass
 
 // The value that so much of all of them do not exceed; `values` are put in another order.
 float quantile(std::vector<float>& values, double part) {
@@ -96,7 +96,7 @@ void FrameCosts::read_marks(double picture) {
     double all = 0;
     for (std::size_t i = 0; i < times.size(); ++i) {
         all += times[i];
-        if (i < marked_.size()) push(live_[{marked_[i], none}], times[i], most_times);
+        if (i < marked_.size()) push(live_[{marked_[i], none}], times[i], most_pass_times);
     }
     // A clock that is wrong is so again and again; one late reading is none.
     odd_ = all > 1.2 * picture + .2 ? odd_ + 1 : 0;

@@ -17,7 +17,7 @@ constexpr int fewest_rounds = 7, most_rounds = 21;
 constexpr int most_frames = 20;  // of a sample
 constexpr double budget = 6000;  // milliseconds of all rounds, where the fewest are not dearer
 constexpr double shortest = 4;   // milliseconds of a sample: quicker frames are drawn several times
-constexpr std::size_t most_times = 15;
+constexpr std::size_t most_rung_times = 15;
 
 using Standing = ui::AccuracyPoint::Standing;
 
@@ -55,7 +55,7 @@ void RungCosts::visit(const Rungs& rungs, double error, std::span<const double> 
     Known& known = known_[rungs];
     known.error = error;
     if (known.standing != Standing::visited) return;  // of rounds that others took part in: better
-    known.times.assign(times.end() - static_cast<std::ptrdiff_t>(std::min(times.size(), most_times)), times.end());
+    known.times.assign(times.end() - static_cast<std::ptrdiff_t>(std::min(times.size(), most_rung_times)), times.end());
 }
 
 void RungCosts::begin(std::size_t ladder, const Scene& scene, const Rungs& chosen) {
