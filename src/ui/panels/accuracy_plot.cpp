@@ -19,7 +19,7 @@ namespace {
 using Standing = AccuracyPoint::Standing;
 
 // An error that is unknown has no place, least of all that of 0.
-bool shown(const AccuracyPoint& point) { return point.milliseconds > 0 && !std::isnan(point.error); }
+bool has_place(const AccuracyPoint& point) { return point.milliseconds > 0 && !std::isnan(point.error); }
 
 // The range of an axis, in powers of ten.
 struct Range {
@@ -101,7 +101,7 @@ void axes(ImDrawList& list, const Plot& plot) {
 void front_line(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>& points) {
     std::vector<ImVec2> corners;
     for (const AccuracyPoint& point : points)
-        if (point.standing == Standing::front && shown(point)) corners.push_back(plot.place(point));
+        if (point.standing == Standing::front && has_place(point)) corners.push_back(plot.place(point));
     ranges::sort(corners, {}, [](const ImVec2& p) { return p.x; });
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
         list.AddLine(corners[i], {corners[i + 1].x, corners[i].y}, pack(palette().filled), 2);
@@ -142,7 +142,7 @@ void names(ImDrawList& list, const Plot& plot, const std::vector<AccuracyPoint>&
         return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
     };
     for (const AccuracyPoint& point : points) {
-        if (!point.rung || !shown(point)) continue;
+        if (!point.rung || !has_place(point)) continue;
         const std::string name = label_of(point);
         const ImVec2 at = plot.place(point), size = ImGui::CalcTextSize(name.c_str());
         const float off = em * .65F;
@@ -164,7 +164,7 @@ void explain_nearest(const Plot& plot, const std::vector<AccuracyPoint>& points)
     const AccuracyPoint* nearest = nullptr;
     float closest = ImGui::GetFontSize();
     for (const AccuracyPoint& point : points) {
-        if (!shown(point)) continue;
+        if (!has_place(point)) continue;
         const ImVec2 at = plot.place(point);
         const float distance = std::hypot(at.x - mouse.x, at.y - mouse.y);
         if (distance >= closest) continue;
@@ -197,7 +197,7 @@ void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout) {
     axes(list, plot);
     front_line(list, plot, points);
     for (const AccuracyPoint& point : points)
-        if (shown(point)) mark(list, plot, point);
+        if (has_place(point)) mark(list, plot, point);
     names(list, plot, points);
     if (ImGui::IsItemHovered()) explain_nearest(plot, points);
 }
