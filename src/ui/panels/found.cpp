@@ -211,9 +211,8 @@ void found_rungs(const Facts& facts, Requests& requests, Layout& layout) {
     ImGui::BeginDisabled(!searching && !found.note.empty());
     requests.find_rungs = button(searching ? "Stop" : "Find rungs", layout, "found.find");
     ImGui::EndDisabled();
-    tip("Tries changes of the scene's own texts while nothing moves: what makes it\ncheaper, what the picture lacks, "
-        "and "
-        "what changes no pixel.\nNothing is written.");
+    tip("Tries changes of the scene's own texts while nothing moves: what makes it cheaper, what the picture lacks, "
+        "and what changes no pixel.\nNothing is written.");
     if (searching) {
         fitted(found.waiting ? "It waits until nothing moves." : found.doing, ImGui::GetContentRegionAvail().x, true);
         layout.note("found.doing");
