@@ -47,6 +47,17 @@ TEST_F(FoundOmissions, TexturesThatNothingElseNeeds) {
     EXPECT_TRUE(left_out(found("Texture2D 1 missing.png\nBox\n"), ChangeKind::no_texture).empty());
 }
 
+TEST_F(FoundOmissions, TheLastUniformOfALineWithACommentLeavesTheNextStatementAlone) {
+    for (const std::string_view end : {"\n", "\r\n"}) {
+        const std::string e(end);
+        const Found two = found("Vertex a.vert" + e + "Fragment a.frag" + e + "Program P uA <0. 1. 2.> \\" + e +
+                                "    uB 3. # what it is" + e + "Box" + e);
+        EXPECT_EQ(two.text(ChangeKind::no_uniform, 1, "scene.glib"), "Vertex a.vert" + e + "Fragment a.frag" + e +
+                                                                         "Program P uA <0. 1. 2.> " + e +
+                                                                         "     # what it is" + e + "Box" + e);
+    }
+}
+
 TEST_F(FoundOmissions, UniformsOfAProgramLine) {
     const Found two = found("Vertex a.vert\nFragment a.frag\nProgram P uA <0. 1. 2.> \\\n    uB 3.\nBox\n");
     EXPECT_EQ(left_out(two, ChangeKind::no_uniform), (Befores{"uA <0. 1. 2.>", "uB 3."}));

@@ -168,7 +168,7 @@ void Search::Impl::draw_next(Attempt& attempt) {
     if (!refused.empty()) return;
     // Of what is left out, only the pixels that differ count.
     const bool unused = rung.aim == Aim::unused;
-    rung.at.push_back(trials->compare(*picture, place, unused ? std::vector<std::size_t>{} : rung.changes, false));
+    rung.at.push_back(trials->compare(*picture, place, unused, false));
     rung.pixels_changed += rung.at.back().pixels_changed;
     std::size_t& worst = place < result.searched ? rung.worst_searched : rung.worst_held_out;
     if (place == result.searched || rung.at[worst] < rung.at.back()) worst = place;
@@ -282,7 +282,7 @@ void Search::Impl::hold_out(std::size_t i) {
 void Search::Impl::find_flip(Trial& trial, FoundRung& rung, std::size_t place) {
     if (rung.at[place].flip) return;
     if (const auto picture = trials->picture(trial, place))
-        rung.at[place].flip = trials->compare(*picture, place, rung.changes, true).flip;
+        rung.at[place].flip = trials->compare(*picture, place, false, true).flip;
 }
 
 Search::Search(const Original& original, std::vector<Change> changes, const gl::Caps& caps,

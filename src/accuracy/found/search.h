@@ -18,7 +18,7 @@ namespace snell::accuracy {
 
 // How much a changed picture differs from that of the scene as it is, at the same place.
 struct Difference {
-    Error whole, own;                 // over the whole picture, and over the pixels in which the changed draws show
+    Error whole, own;                 // over the whole picture, and over the pixels in which the scene draws
     std::size_t pixels_changed = 0;   // in which any channel differs by any bit
     std::optional<double> flip = {};  // mean over `own`; nullopt: not computed, because it is costly
     bool operator<(const Difference& other) const { return own.light.rmse < other.own.light.rmse; }

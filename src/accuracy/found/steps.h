@@ -72,6 +72,7 @@ struct Search::Impl {
     void start_rounds(SweepResult& sweep, const std::vector<std::size_t>& of, double part, std::array<int, 2> size);
     void end_rounds();
     void omission(std::size_t i);
+    bool is_set(const Change& change) const;
     void omitted(Attempt& attempt);
     void load(std::size_t i, std::vector<Loading> with, std::vector<Loading> without);
     void begin_costs();

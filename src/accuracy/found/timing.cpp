@@ -107,10 +107,24 @@ void Search::Impl::end_rounds() {
 void Search::Impl::omission(std::size_t i) {
     doing = "leaving things out";
     if (skipped(result.rungs[i], unused_end)) return;
+    if (const Change& change = result.changes[i]; change.kind == ChangeKind::no_uniform && is_set(change)) {
+        result.rungs[i].outcome = Outcome::refused;
+        result.rungs[i].reason = "--set gives it another value";
+        return;
+    }
     whole();
     try_places(trials->open(result.rungs[i].changes), i, result.places.size(), [this](Attempt& tried) {
         small();
         if (rung_of(tried).outcome != Outcome::refused) omitted(tried);
+    });
+}
+
+// Whether the value on the Program line does not count, because the scene is measured with another one.
+bool Search::Impl::is_set(const Change& change) const {
+    const std::string_view name = std::string_view(change.before).substr(0, change.before.find_first_of(" \t"));
+    return !result.places.empty() && ranges::any_of(result.places.front().sets, [&](std::string_view set) {
+        const std::string_view assigned = set.substr(0, set.find('='));
+        return assigned == name || (assigned.ends_with(name) && assigned[assigned.size() - name.size() - 1] == '.');
     });
 }
 

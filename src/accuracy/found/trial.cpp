@@ -21,8 +21,6 @@ namespace {
 constexpr double quick_sample = 8, slow_frame = 30;  // milliseconds
 constexpr int quick_pairs = 7;
 
-bool overlap(const Span& a, const Span& b) { return a.file == b.file && a.begin <= b.end && b.begin <= a.end; }
-
 // The messages that a runtime has for its values too, and the errors of OpenGL that were made meanwhile.
 void add_problems(Bench& bench, Diagnostics& diagnostics) {
     diagnostics.append(bench.runtime().value_problems());
@@ -165,12 +163,12 @@ const Picture& Trials::original(std::size_t place) {
     return kept;
 }
 
-Difference Trials::compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip) {
+Difference Trials::compare(const Picture& picture, std::size_t place, bool only_changed, bool flip) {
     const Picture& reference = original(place);
     Difference difference;
     Region changed = where_different(picture, reference);
     difference.pixels_changed = count(changed);
-    Region own = changes.empty() ? changed : region(place, draws_of(changes));
+    Region own = only_changed ? changed : region(place);
     for (std::size_t i = 0; i < own.size(); ++i) own[i] |= changed[i];
     const std::size_t pixels = own.empty() ? reference.pixels() : count(own);
     if (difference.pixels_changed == 0) {
@@ -189,41 +187,16 @@ Difference Trials::compare(const Picture& picture, std::size_t place, std::span<
     return difference;
 }
 
-std::vector<bool> Trials::draws_of(std::span<const std::size_t> changes) {
-    std::vector<bool> all(original_.plan.scene.draws.size(), false);
-    for (const std::size_t change : changes)
-        for (const Edit& edit : changes_[change].edits) {
-            const std::vector<bool> more = draws_of(edit);
-            if (more.empty()) return {};
-            for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || more[i];
-        }
-    return all;
-}
-
-std::vector<bool> Trials::draws_of(const Edit& edit) {
-    const Plan& plan = original_.plan;
-    const std::string_view file = original_.sources.name(edit.span.file);
-    std::vector<bool> programs(plan.programs.size(), false);
-    Files reader(original_.files.folder(), original_.files.access());
-    for (std::size_t i = 0; i < programs.size(); ++i)
-        programs[i] = overlap(plan.scene.programs[i].span, edit.span) ||
-                      ranges::any_of(shader_texts(plan.programs[i], original_.sources, reader),
-                                     [&](const ShaderText& shader) { return shader.path == file; });
-    std::vector<bool> draws;
-    for (const Draw& draw : plan.scene.draws)
-        draws.push_back((draw.program != none && programs[draw.program]) || overlap(draw.span, edit.span));
-    if (ranges::find(draws, true) == draws.end()) draws.clear();
-    return draws;
-}
-
-const Region& Trials::region(std::size_t place, const std::vector<bool>& draws) {
-    Region& kept = regions_[{key(place), draws}];
-    if (!kept.empty() || draws.empty()) return kept;
+const Region& Trials::region(std::size_t place) {
+    const auto [known, fresh] = regions_.try_emplace(key(place));
+    if (!fresh) return known->second;
     const Picture& whole = original(place);
     scene_.bench->at(places_[place]);
-    if (const auto without = scene_.bench->picture(variant(), &draws)) kept = where_different(whole, *without);
+    const std::vector<bool> all(original_.plan.scene.draws.size(), true);
+    if (const auto without = scene_.bench->picture(variant(), &all)) known->second = where_different(whole, *without);
+    if (count(known->second) == 0) known->second.clear();
     scene_.bench->at(places_.front());
-    return kept;
+    return known->second;
 }
 
 Trials::Quick Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop) {

@@ -50,9 +50,9 @@ public:
     std::optional<Picture> picture(Trial& trial, std::size_t place) { return picture(trial, place, variant()); }
     std::optional<Picture> picture(Trial& trial, std::size_t place, const Variant& variant);
     const Picture& original(std::size_t place);
-    // The difference of that picture at a place, over the pixels in which these changes' draws show; without changes,
-    // over those that differ. `flip`: with FLIP.
-    Difference compare(const Picture& picture, std::size_t place, std::span<const std::size_t> changes, bool flip);
+    // The difference of that picture at a place, over the pixels in which the scene draws, the same for all changes,
+    // and those that differ; `only_changed`: over the latter alone. `flip`: with FLIP.
+    Difference compare(const Picture& picture, std::size_t place, bool only_changed, bool flip);
 
     // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known. `high`:
     // two of three are no larger. `warm`: the milliseconds of its frames.
@@ -76,11 +76,8 @@ public:
 private:
     void judge(Trial& trial) const;
     Place seen_by(Trial& trial, std::size_t place) const;
-    // By draw of the scene, whether the changes may change what it shows; empty: everything may be changed.
-    std::vector<bool> draws_of(std::span<const std::size_t> changes);
-    std::vector<bool> draws_of(const Edit& edit);
-    // The pixels of the scene as it is that these draws show in; empty: all.
-    const Region& region(std::size_t place, const std::vector<bool>& draws);
+    // The pixels in which the scene as it is draws; empty: all.
+    const Region& region(std::size_t place);
 
     Original original_;
     std::span<const Change> changes_;
@@ -92,7 +89,7 @@ private:
     using Key = std::array<std::size_t, 3>;
     Key key(std::size_t place) const;
     std::map<Key, Picture> pictures_;
-    std::map<std::pair<Key, std::vector<bool>>, Region> regions_;
+    std::map<Key, Region> regions_;
 };
 
 }  // namespace snell::accuracy

@@ -240,7 +240,9 @@ std::string found_words(const FoundResult& found) {
         found.changes.size(), found.changes.size() == 1 ? " was" : "s were", tried, tried == 1 ? "was" : "were",
         combined, combined == 1 ? "" : "s", found.places.size(),
         found.places.size() - std::min(found.searched, found.places.size()), found.seed);
-    if (refused > 0) text += fmt::format(" {} would not compile, or make another error or warning.", refused);
+    if (refused > 0)
+        text += fmt::format(" {} would not compile, make another error or warning, or leave out what --set gives.",
+                            refused);
     if (unknown > 0) text += fmt::format(" {} would need a mean that is not known.", unknown);
     if (untried > 0)
         text += fmt::format(" {} not tried: {}.", untried,

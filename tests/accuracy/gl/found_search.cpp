@@ -99,6 +99,42 @@ TEST_F(FoundSearch, WhatIsHarmlessOnlyAtTheScenesOwnValuesIsFoundOut) {
     EXPECT_GT(rung.worst()->own.light.rmse, .05);
 }
 
+// Otherwise a harmless change of something large would make a combination more exact than its part.
+TEST_F(FoundSearch, ErrorsOfAllChangesAreOverThePixelsInWhichTheSceneDraws) {
+    folder.write("a.vert", "#version 330 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n");
+    folder.write("a.frag", "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n");
+    folder.write("b.frag", "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(.5, .5, .5, 1.); }\n");
+    // A sixteenth of the picture, behind which there is a quarter.
+    read_scene(
+        "Background 0 0 0\nVertex a.vert\nFragment a.frag\nProgram A\nQuadXY -.5 .25\nFragment b.frag\nProgram B\n"
+        "QuadXY 0 .5\n");
+    const FoundResult found = search({change(ChangeKind::without_term, "vec4(1.)", "vec4(0.)"),
+                                      change(ChangeKind::fewer_cells, "QuadXY 0 .5", "QuadXY 0 .5 1 1"),
+                                      change(ChangeKind::culled, "QuadXY -.5 .25", "CullFace none\nQuadXY -.5 .25")});
+    ASSERT_EQ(found.rungs.size(), 3u);
+    for (const FoundRung& rung : found.rungs) {
+        ASSERT_FALSE(rung.at.empty()) << rung.reason;
+        EXPECT_EQ(rung.at.front().own.pixels, 256u) << rung.name;
+    }
+    EXPECT_NEAR(found.rungs[0].at.front().own.light.rmse, .5, 1e-6) << "64 of 256 pixels";
+}
+
+// A value that --set overrides has no effect here, but it has in the scene that would be written.
+TEST_F(FoundSearch, AValueThatIsSetIsNotLeftOut) {
+    write_full("uniform float uGain;\nvoid main() { gl_FragColor = vec4(vec3(.5 * uGain), 1.); }\n");
+    read_scene(full_scene);
+    const auto omission = [&](std::vector<std::string> sets) {
+        return search({change(ChangeKind::no_uniform, "uGain <1. 1. 1.>", "")}, false, 1, std::move(sets)).rungs[0];
+    };
+    EXPECT_EQ(omission({}).outcome, Outcome::tried);
+    EXPECT_GT(omission({}).pixels_changed, 0u);
+    for (const char* set : {"uGain=.7", "Full.uGain=.7"}) {
+        const FoundRung rung = omission({set});
+        EXPECT_EQ(rung.outcome, Outcome::refused) << set;
+        EXPECT_EQ(rung.reason, "--set gives it another value");
+    }
+}
+
 TEST_F(FoundSearch, AnErrorThatOnlyHeldOutPlacesShowIsMarkedAndCounts) {
     // A value that the searched places do not have and a held-out one has: the places are known, so it can be chosen.
     write_full("uniform float uMix;\nvoid main() { gl_FragColor = vec4(vec3(uMix > .5 ? .9 : .1), 1.); }\n");

@@ -168,6 +168,24 @@ TEST_F(Rounds, ALocalIsChangedWhereItBegins) {
         << "where it is assigned again, the loop's own bound changes";
 }
 
+TEST_F(Rounds, AMeanOfADefinedNumberStaysAMean) {
+    const auto text = [&](const std::string& body, const std::string& ahead) {
+        Found& found = shaders(in_main(body, ahead));
+        return found.of(fewer_rounds).empty() ? std::string() : found.changed(*found.of(fewer_rounds)[0], "a.frag");
+    };
+    const std::string loop = "vec3 s = vec3(0.); for (int i = 0; i < K; i++) s += vN / 16.; color = s;";
+    EXPECT_NE(text(loop, "const int K = 16;\n").find("s += vN / 8.;"), std::string::npos);
+    EXPECT_NE(text(loop, "#define K 16\n").find("s += vN / 8.;"), std::string::npos);
+    EXPECT_NE(text("int K = 16; vec3 s = vec3(0.); for (int i = 0; i < K; i++) s += vN; s /= 16.; color = s;", "")
+                  .find("s /= 8.;"),
+              std::string::npos);
+}
+
+// A triangle of one vertex is none.
+TEST_F(Rounds, VerticesOfAPrimitiveStay) {
+    EXPECT_EQ(lines("for (int i = 0; i < 3; i++) { color += vN; EmitVertex(); }", "void EmitVertex() {}\n"), Lines{});
+}
+
 // A slider at 1 leaves one round, not none.
 TEST_F(Rounds, AShareOfAnUnknownNumberIsRoundedUp) {
     EXPECT_EQ(lines("for (uint i = 0u; i < uCount; i++) color += vN;", "uniform uint uCount;\n"),
@@ -186,7 +204,7 @@ TEST_F(Rounds, AMeanStaysAMean) {
 TEST_F(Rounds, OtherDivisorsOfTheSameValueStay) {
     const auto half = [&](const std::string& statements) {
         Found& found = shaders(in_main(statements));
-        return found.of(fewer_rounds).empty() ? "" : found.changed(*found.of(fewer_rounds)[0], "a.frag");
+        return found.of(fewer_rounds).empty() ? std::string() : found.changed(*found.of(fewer_rounds)[0], "a.frag");
     };
     const std::string loop = "for (int i = 0; i < 4; i++) color += vN;\n";
     for (const char* mean : {"color = color / 4.;", "color *= 1. / 4.;", "color = vP * (color / 4.);",

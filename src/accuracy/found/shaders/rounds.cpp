@@ -75,6 +75,15 @@ private:
         return false;
     }
 
+    // With fewer rounds, a primitive would lack vertices.
+    bool emits(int loop) const {
+        while (loop >= 0 && s_.at(loop).form != Form::loop) loop = s_.parent(loop);
+        if (loop < 0) return false;
+        for (int k = s_.at(loop).first; k <= s_.at(loop).last; ++k)
+            if (s_.token(k).text == "EmitVertex") return true;
+        return false;
+    }
+
     // The value of the name or the macro stays: as many elements are written.
     void keep(const Node& n) {
         if (n.form == Form::name) sizes_.insert(n.text);
@@ -83,7 +92,7 @@ private:
     }
 
     void loop(const Counter& c) {
-        if (c.target < 0) return;
+        if (c.target < 0 || emits(s_.parent(c.comparison))) return;
         int target = s_.bare(c.target);
         RoundBound bound{target, 0, c.comparison, c.step, c.includes};
         if (c.base >= 0 && s_.at(c.base).value.size() == 1) {
@@ -166,17 +175,21 @@ private:
         const std::optional<double> value = fewer(bound, n.value.front(), share);
         if (!value || !s_.own(bound.node) || !s_.own(bound.where)) return;
         std::vector<Edit> edits{{s_.span(bound.node), literal(*value, n.type)}};
-        // A sum that is divided by the number of rounds stays a mean.
+        add_divisors(edits, bound, n.value.front(), *value);
+        offers_.add(ChangeKind::fewer_rounds, s_.span(bound.where), std::move(edits));
+    }
+
+    // A sum that is divided by the number of rounds, written as a number, stays a mean.
+    void add_divisors(std::vector<Edit>& edits, const RoundBound& bound, double before, double after) const {
         int loop = bound.where;
         while (loop >= 0 && s_.at(loop).form != Form::loop) loop = s_.parent(loop);
         const std::set<int> summed = loop < 0 ? std::set<int>() : sums(loop);
-        for (int k = 0; k < s_.nodes() && !summed.empty() && n.value.front() >= 4 && !offers_.full(); ++k) {
+        for (int k = 0; k < s_.nodes() && !summed.empty() && before >= 4 && !offers_.full(); ++k) {
             const Node& other = s_.at(k);
-            if (other.form == Form::number && other.type.base == glsl::Base::real && other.value == n.value &&
-                k != bound.node && s_.own(k) && divides(k, loop, summed))
-                edits.push_back({s_.span(k), literal(*value, other.type)});
+            if (other.form == Form::number && other.type.base == glsl::Base::real && other.value.size() == 1 &&
+                other.value.front() == before && k != bound.node && s_.own(k) && divides(k, loop, summed))
+                edits.push_back({s_.span(k), literal(after, other.type)});
         }
-        offers_.add(ChangeKind::fewer_rounds, s_.span(bound.where), std::move(edits));
     }
 
     // Variables from outside of the loop that it adds to.
@@ -244,25 +257,31 @@ private:
         if (declared < 0) return false;
         const std::vector<int> inside = s_.parts(declared);
         if (inside.size() != 1 || !s_.own(declared)) return false;
-        if (!s_.at(declared).constant) return local(n, declared, inside[0], share);
+        if (!s_.at(declared).constant) return local(bound, declared, inside[0], share);
         if (s_.at(inside[0]).form != Form::number) return false;
-        if (const auto value = fewer(bound, s_.at(inside[0]).value.front(), share))
-            offers_.add(ChangeKind::fewer_rounds, s_.span(declared),
-                        {{s_.span(inside[0]), literal(*value, s_.at(inside[0]).type)}});
+        if (const auto value = fewer(bound, s_.at(inside[0]).value.front(), share)) {
+            std::vector<Edit> edits{{s_.span(inside[0]), literal(*value, s_.at(inside[0]).type)}};
+            add_divisors(edits, bound, s_.at(inside[0]).value.front(), *value);
+            offers_.add(ChangeKind::fewer_rounds, s_.span(declared), std::move(edits));
+        }
         return true;
     }
 
-    bool local(const Node& bound, int declared, int begins, int share) {
+    bool local(const RoundBound& bound, int declared, int begins, int share) {
         const Node& n = s_.at(begins);
-        const bool assigned = std::any_of(s_.uses(bound.variable).begin(), s_.uses(bound.variable).end(),
-                                          [&](int use) { return s_.written(use); });
-        if (assigned || s_.function_of(s_.at(declared).first) < 0 || n.type.base != bound.type.base) return false;
+        const std::vector<int>& uses = s_.uses(s_.at(bound.node).variable);
+        const bool assigned = std::any_of(uses.begin(), uses.end(), [&](int use) { return s_.written(use); });
+        if (assigned || s_.function_of(s_.at(declared).first) < 0 || n.type.base != s_.at(bound.node).type.base)
+            return false;
         if (n.value.size() == 1 && n.value.front() < share) return true;
         const std::string text = closed(n) ? s_.text(begins) : "(" + s_.text(begins) + ")";
-        const bool number = n.form == Form::number;
-        offers_.add(ChangeKind::fewer_rounds, s_.span(declared),
-                    {{s_.span(begins),
-                      number ? literal(std::floor(n.value.front() / share), n.type) : divided(text, n, share)}});
+        std::vector<Edit> edits{{s_.span(begins), divided(text, n, share)}};
+        if (n.form == Form::number) {
+            const double fewer = std::floor(n.value.front() / share);
+            edits.front().text = literal(fewer, n.type);
+            add_divisors(edits, bound, n.value.front(), fewer);
+        }
+        offers_.add(ChangeKind::fewer_rounds, s_.span(declared), std::move(edits));
         return true;
     }
 
@@ -293,7 +312,9 @@ private:
         if (!value) return true;
         const std::string_view all = s_.sources.text(place->file);
         const std::uint32_t line = static_cast<std::uint32_t>(all.rfind('\n', place->begin) + 1);
-        offers_.add(ChangeKind::fewer_rounds, {place->file, line, place->end}, {{*place, literal(*value, n.type)}});
+        std::vector<Edit> edits{{*place, literal(*value, n.type)}};
+        add_divisors(edits, bound, n.value.front(), *value);
+        offers_.add(ChangeKind::fewer_rounds, {place->file, line, place->end}, std::move(edits));
         return true;
     }
 

@@ -31,7 +31,7 @@ public:
         for (Index i = 0; i < scene_.programs.size(); ++i)
             for (const UniformValue& uniform : scene_.programs[i].uniforms)
                 if (uniform.span.begin < uniform.span.end && whole(i))
-                    to_.add(ChangeKind::no_uniform, uniform.span, {without(uniform.span)});
+                    to_.add(ChangeKind::no_uniform, uniform.span, without_uniform(uniform.span));
         for (const Shader& shader : shaders_)
             for (const Body& body : shader.bodies) leave_out(shader, body);
     }
@@ -53,6 +53,22 @@ private:
             line = end + 1;
         }
         return {span, std::move(comments)};
+    }
+
+    // A line of comment alone would be skipped, and the next statement would belong to the program: the backslash of
+    // the line before goes, too, if the statement ends here.
+    std::vector<Edit> without_uniform(Span span) const {
+        std::vector<Edit> edits{without(span)};
+        const std::string_view all = to_.sources().text(span.file);
+        const std::size_t before = all.substr(0, span.begin).find_last_not_of(" \t\r\n");
+        const std::string_view rest = all.substr(span.end, all.find_first_of("\r\n", span.end) - span.end);
+        const std::size_t first = rest.find_first_not_of(" \t"), last = rest.find_last_not_of(" \t");
+        const bool comment = first != rest.npos && (rest[first] == '#' || rest.substr(first).starts_with("//"));
+        if (comment && rest[last] != '\\' && before != all.npos && all[before] == '\\') {
+            const auto at = static_cast<std::uint32_t>(before);
+            edits.insert(edits.begin(), {{span.file, at, at + 1}, ""});
+        }
+        return edits;
     }
 
     void leave_out(ChangeKind kind, Span span) {
