@@ -49,6 +49,14 @@ TEST(Advice, NothingIsNamedThatIsNotSurelyCheaperThanTheScene) {
     EXPECT_EQ(choose_surely(result, {.error = 1}), 1U) << "timed twice, the scene itself differs as much";
 }
 
+TEST(Advice, ASceneThatWasNotTimedIsNotTheCheapest) {
+    SweepResult result = sweep();
+    result.sweep.current = 4;
+    result.rungs[4] = rung("scene", 0, 0);
+    result.rungs[4].rounds = 0;
+    EXPECT_EQ(choose_surely(result, {.error = .1}), std::nullopt);
+}
+
 TEST(Advice, MostExactThatIsQuickEnough) {
     EXPECT_EQ(choose(sweep(), {.milliseconds = 16}), 2U);
     EXPECT_EQ(choose(sweep(), {.milliseconds = 20}), 2U) << "in half of all runs it would take longer";

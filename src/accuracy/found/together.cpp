@@ -265,6 +265,7 @@ std::optional<std::size_t> choose_surely(const SweepResult& sweep, const Wish& w
     const auto best = choose(sweep, wish);
     const std::size_t now = sweep.sweep.current;
     if (!best || wish.milliseconds || *best == now || !fulfils(sweep, sweep.rungs[now], wish)) return best;
+    if (sweep.rungs[now].rounds == 0) return std::nullopt;  // what anything saves is not known
     return sweep.rungs[*best].ratio.high < std::min(1., sweep.control.ratio.low) ? best : now;
 }
 
