@@ -93,6 +93,7 @@ private:
             return;
         }
         report_lost_lines();
+        if (!command->takes(ArgumentKind::rest)) report_decimal_commas(statement, reader.lexer(), report_);
         const bool good = match(*command, statement, reader, report_, arguments);
         if (good) command->handler(builder_, arguments);
         program = good && command->name == "Program" ? reader.span(statement) : Span{};

@@ -9,6 +9,11 @@
 namespace snell {
 namespace {
 
+bool is_whole(std::string_view word) {
+    if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 bool is_truth(std::string_view word) { return word == "true" || word == "false"; }
 
 }  // namespace
@@ -88,6 +93,22 @@ void StatementReader::report_oddities() {
     }
     for (const Span span : lexer_.stray_backslashes())
         report_.warning("stray-backslash", span, "a '\\' in the middle of a line continues nothing");
+}
+
+void report_decimal_commas(const Statement& statement, const Lexer& lexer, Report& report) {
+    const std::span<const Token> all = statement.arguments();
+    int depth = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        depth += all[i].kind == TokenKind::open ? 1 : all[i].kind == TokenKind::close ? -1 : 0;
+        if (depth > 0 || i == 0 || i + 1 == all.size() || lexer.text(all[i]) != ",") continue;
+        const Token &left = all[i - 1], &right = all[i + 1];
+        const bool alone = !left.glued && all[i].glued && right.glued && (i + 2 == all.size() || !all[i + 2].glued);
+        const std::string a(lexer.text(left)), b(lexer.text(right));
+        if (!alone || !is_whole(a) || !is_whole(b) || b.front() < '0') continue;
+        report.warning("decimal-comma", {lexer.file(), left.begin, right.end},
+                       "'" + a + "," + b + "' is read as two numbers, " + a + " and " + b,
+                       "for one number write a point: " + a + "." + b + "; for two, a blank between them");
+    }
 }
 
 std::size_t end_of_lines(std::string_view text, std::size_t at) {

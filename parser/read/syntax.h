@@ -16,6 +16,10 @@ struct Statement {
     std::span<const Token> arguments() const { return tokens.subspan(1); }
 };
 
+// Warns of a comma between two digits outside of brackets, which is read as two numbers. Three and more numbers with
+// commas between them are a list.
+void report_decimal_commas(const Statement& statement, const Lexer& lexer, Report& report);
+
 // Where the lines of a statement end whose last token ends at `at`: behind comments, and behind lines that a backslash
 // adds but that have no token.
 std::size_t end_of_lines(std::string_view text, std::size_t at);

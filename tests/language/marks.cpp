@@ -34,6 +34,15 @@ TEST(Symbols, ShadersListWhatTheyDeclare) {
     EXPECT_EQ(tree(symbols(editor.project(), editor.file())), "TWO\nuKa\nuKd\nRay\n  a\nf\nmain\n");
 }
 
+// As drivers read it, whatever ends the lines.
+TEST(Symbols, AContinuedCommentDeclaresNothing) {
+    for (const std::string backslash : {"\\\n", "\\\r\n", "\\\\\n", "\\\\\r\n"}) {
+        const Editor editor("Fragment a.frag\nProgram A\n",
+                            {{"a.frag", "// in C:" + backslash + "uniform float uA;\nvoid main() {@}\n"}});
+        EXPECT_EQ(tree(symbols(editor.project(), editor.file())), "main\n");
+    }
+}
+
 std::string recolored(const Editor& editor, std::size_t which, const std::array<double, 4>& rgba) {
     const auto all = colors(editor.project(), editor.file());
     if (which >= all.size()) return "";

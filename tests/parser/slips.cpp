@@ -117,5 +117,18 @@ TEST(Slips, AWordThatCannotBeGuessedTakesItsStatementDown) {
     EXPECT_EQ(r.matrix(0), (Mat4{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}));
 }
 
+// The reading stays: scenes may separate numbers by commas.
+TEST(Slips, ADecimalCommaIsTwoNumbers) {
+    const Read r = read("Sphere 1,5\n");
+    ASSERT_EQ(r.codes(), Codes{"1:8 decimal-comma"});
+    EXPECT_EQ(r.diagnostics()[0].message, "'1,5' is read as two numbers, 1 and 5");
+    EXPECT_EQ(r.diagnostics()[0].help, "for one number write a point: 1.5; for two, a blank between them");
+    EXPECT_EQ(read("Translate 1 -0,5\n").codes(), Codes{"1:13 decimal-comma"});
+    EXPECT_EQ(read("Translate 1 0,5 // half\n").codes(), Codes{"1:13 decimal-comma"});
+    for (const char* fine : {"Sphere 1, 5", "Sphere 1 ,5", "Sphere 1.,5", "LookAt 0,0,3 0,0,0 0,1,0", "Translate 1,-5",
+                             "Program P uC <0,1,2> uD {1,0,0}", "MessageBox 1,5", "Ladder L 1,5", "Sphere 1 // 1,5"})
+        EXPECT_EQ(read(std::string(fine) + "\n").codes(), Codes{}) << fine;
+}
+
 }  // namespace
 }  // namespace snell::test

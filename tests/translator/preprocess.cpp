@@ -144,5 +144,77 @@ TEST(GlslPreprocess, BrokenConditionals) {
     expect_valid({{Stage::fragment, "#if 1\nvoid main() { gl_FragColor = vec4(1.); }\n"}});
 }
 
+// An old habit of C, which some compilers accept: what the driver gets is what all accept.
+TEST(GlslPreprocess, WordsBehindElseAndEndif) {
+    const std::string text =
+        "#ifdef FOO\nbroken\n#else FOO\nuniform float u;\n#endif FOO // or not\n#ifndef BAR\n#define BAR .5\n"
+        "#if 0\n#else BAZ \\\n BAZ\n#endif\t/* a */ BAR /* the\nend */\r\nvoid main() { gl_FragColor = vec4(u * BAR); "
+        "}\n"
+        "#endif // BAR\n";
+    const Translated t = fragment(text);
+    ASSERT_EQ(t.count("surplus-words"), 4) << render(t.diagnostics, t.sources);
+    EXPECT_EQ(t.diagnostics.items().size(), 4u);
+    EXPECT_EQ(t.text(Stage::fragment).find("FOO", t.text(Stage::fragment).find("broken")), std::string::npos);
+    EXPECT_EQ(line_of(t.text(Stage::fragment), "vec4(u"), line_of(text, "vec4(u"));
+    const Diagnostic& first = t.diagnostics.items().front();
+    ASSERT_EQ(first.fixes.size(), 1u);
+    EXPECT_EQ(first.fixes.front().text, "// ");
+    EXPECT_EQ(text.substr(first.fixes.front().span.begin, 4), "FOO\n");
+    expect_valid({{Stage::fragment, text}});
+    // Where the driver would judge otherwise, directives are left out.
+    expect_valid({{Stage::fragment, "#if __VERSION__ > 100\n" + text + "#endif __VERSION__\n"}});
+    EXPECT_EQ(fragment("#if 0\n#else if 1\n#endif\nvoid main() {}\n").count("surplus-words"), 0);
+}
+
+TEST(GlslPreprocess, CommentsThatTakeTheNextLine) {
+    const auto warned = [](const std::string& comment, const std::string& next = "uniform float a;\n") {
+        const Translated t = fragment(comment + next + "void main() { gl_FragColor = vec4(1.); }\n");
+        for (const Diagnostic& d : t.diagnostics.items())
+            if (d.code == "comment-continued") {
+                EXPECT_EQ(t.sources.text(d.span.file).substr(d.span.begin, d.span.end - d.span.begin), "\\");
+            }
+        return t.count("comment-continued");
+    };
+    for (const std::string end : {"\n", "\r\n"}) {
+        EXPECT_EQ(warned("// in C:\\textures\\" + end), 1);
+        EXPECT_EQ(warned("// in C:\\\\textures\\\\" + end), 1);
+        EXPECT_EQ(warned("float b; // \\" + end + "// \\" + end), 1);
+        EXPECT_EQ(warned("// \\" + end, " \t" + end), 0);
+        EXPECT_EQ(warned("// \\" + end, "  // \\" + end + end), 0);
+        EXPECT_EQ(warned("#define F(x) ((x) \\" + end + " + \\" + end + " 1.)" + end), 0);
+        EXPECT_EQ(warned("//#define F(x) ((x) \\" + end + " + 1.)" + end), 0);
+        EXPECT_EQ(warned("#define F(x) ((x) /* \\" + end + " */ + 1.)" + end), 0);
+        EXPECT_EQ(warned("/* // \\" + end + " */" + end), 0);
+        EXPECT_EQ(warned("#define F(x) (x) // one \\" + end), 1);
+    }
+    EXPECT_EQ(warned("// \\"), 0);
+}
+
+// Every reader of a shader agrees on where a comment ends.
+TEST(GlslPreprocess, WhatAContinuedCommentTakesIsLost) {
+    const auto uniforms = [](const std::string& comment) {
+        return fragment(comment + "uniform float a;\nvoid main() { gl_FragColor = vec4(1.); }\n")
+            .translation.declared.size();
+    };
+    for (const std::string backslash : {"\\\n", "\\\r\n", "\\\\\n", "\\\\\r\n"}) {
+        EXPECT_EQ(uniforms("// " + backslash), 0u);
+        EXPECT_EQ(uniforms("#define A // " + backslash), 0u);
+    }
+    // GLSL continues no line after a backslash with a blank behind it; directives are mended, comments are not.
+    EXPECT_EQ(uniforms("// \\ \n"), 1u);
+    EXPECT_EQ(uniforms("#define A \\ \n .5\n"), 1u);
+}
+
+TEST(GlslPreprocess, CommentsThatNothingCloses) {
+    const std::string text = "uniform float a;\n\n  /* notes\nvoid main() { gl_FragColor = vec4(1.); }\n";
+    const Translated t = fragment(text);
+    ASSERT_EQ(t.count("unclosed-comment"), 1);
+    EXPECT_FALSE(t.translation.ok);
+    EXPECT_EQ(t.diagnostics.items().front().span.begin, text.find("/*"));
+    EXPECT_FALSE(t.diagnostics.items().front().help.empty());
+    EXPECT_EQ(fragment("// /*\n/* // */ /**/ void main() {} /*/ */\n").count("unclosed-comment"), 0);
+    EXPECT_EQ(fragment("void main() {} /*/\n").count("unclosed-comment"), 1);
+}
+
 }  // namespace
 }  // namespace snell::glsl::test

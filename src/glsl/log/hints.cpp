@@ -103,6 +103,13 @@ void suggest(Diagnostic& diagnostic, std::string_view word, std::string_view mea
     if (found) diagnostic.fixes.push_back({{span.file, found->begin, found->end}, std::string(meant)});
 }
 
+// The type of a texture that snell binds where a shader declares it; empty for other names.
+std::string_view bound_sampler(std::string_view name) {
+    static const std::vector<SystemName> all = system_names();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const SystemName& s) { return s.name == name; });
+    return found == all.end() || !found->type.starts_with("sampler") ? std::string_view() : found->type;
+}
+
 void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic,
                      bool called = false) {
     if (!place.known) return;
@@ -120,7 +127,13 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
         return;
     }
-    if (const Declared* d = nearest_declared(name, all, called)) {
+    const Declared* d = nearest_declared(name, all, called);
+    const std::string_view sampler = called || (d && equal_but_case(d->name, name)) ? "" : bound_sampler(name);
+    if (!sampler.empty()) {
+        diagnostic.help = fmt::format("declare it: uniform {} {};", sampler, name);
+        return;
+    }
+    if (d) {
         const bool unused = d->qualifier == "uniform" && d->uses == 0;
         diagnostic.help = fmt::format("did you mean '{}'?", d->name);
         suggest(diagnostic, name, d->name, context);
@@ -145,7 +158,19 @@ int count_arguments(std::string_view list) {
     return list.empty() ? 0 : 1 + static_cast<int>(std::count(list.begin(), list.end(), ','));
 }
 
-void hint_returns(const Entry& entry, Diagnostic& diagnostic) {
+bool in_main(const Place& place, const Context& context) {
+    const Declared* function = nullptr;
+    if (place.known)
+        for (const Declared& d : context.texts.declared(place.file))
+            if (d.function && d.depth == 0 && !d.type.empty() && d.begin < place.span.begin) function = &d;
+    return function && function->name == "main";
+}
+
+void hint_returns(const Entry& entry, const Place& place, const Context& context, Diagnostic& diagnostic) {
+    if (in_main(place, context)) {
+        diagnostic.help = "'main' returns nothing: write 'return;'";
+        return;
+    }
     diagnostic.help = conversion_help(entry.a, entry.b);
     if (entry.a.empty() && !entry.b.empty())
         diagnostic.help = fmt::format("the function declares that it returns '{}'", entry.b);
@@ -300,7 +325,7 @@ void hint(const Entry& entry, const Place& place, const Context& context, Diagno
         case Kind::no_overload:
             return hint_call(entry, name, place, context, diagnostic);
         case Kind::returns:
-            return hint_returns(entry, diagnostic);
+            return hint_returns(entry, place, context, diagnostic);
         case Kind::convert:
             diagnostic.help = conversion_help(entry.a, entry.b);
             return;

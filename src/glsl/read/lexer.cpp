@@ -36,6 +36,8 @@ void join_continuation(std::string& s, std::size_t backslash) {
     std::size_t end = backslash + 1;
     while (end < s.size() && blank(s[end])) ++end;
     if (end == backslash + 1 || end >= s.size() || (s[end] != '\n' && s[end] != '\r')) return;
+    const std::size_t line_end = s.rfind('\n', backslash), line = line_end == std::string::npos ? 0 : line_end + 1;
+    if (std::string_view(s).substr(line, backslash - line).find("//") != std::string_view::npos) return;
     s[backslash] = ' ';
     s[end - 1] = '\\';
 }
@@ -71,6 +73,15 @@ Cleaned clean(std::string_view text) {
     return out;
 }
 
+std::size_t line_comment_end(std::string_view text, std::size_t i) {
+    for (i = text.find('\n', i); i != std::string_view::npos; i = text.find('\n', i + 1)) {
+        std::string_view line = text.substr(0, i);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (!line.ends_with('\\')) return i;
+    }
+    return text.size();
+}
+
 Trivia skip_trivia(std::string_view text, std::size_t i) {
     bool line_end = false;
     while (i < text.size()) {
@@ -83,7 +94,7 @@ Trivia skip_trivia(std::string_view text, std::size_t i) {
         } else if (c == '\\' && i + 1 < text.size() && (text[i + 1] == '\n' || text[i + 1] == '\r')) {
             i += text[i + 1] == '\r' && i + 2 < text.size() && text[i + 2] == '\n' ? 3 : 2;
         } else if (c == '/' && i + 1 < text.size() && text[i + 1] == '/') {
-            while (i < text.size() && text[i] != '\n') i += text[i] == '\\' && i + 1 < text.size() ? 2 : 1;
+            i = line_comment_end(text, i);
         } else if (c == '/' && i + 1 < text.size() && text[i + 1] == '*') {
             const std::size_t close = text.find("*/", i + 2);
             i = close == std::string_view::npos ? text.size() : close + 2;
@@ -170,7 +181,7 @@ std::size_t directive_end(std::string_view text, std::size_t i) {
             const std::size_t close = text.find("*/", i + 2);
             i = close == std::string_view::npos ? text.size() : close + 2;
         } else if (text.substr(i, 2) == "//") {
-            while (i < text.size() && text[i] != '\n') i += text[i] == '\\' && i + 1 < text.size() ? 2 : 1;
+            i = line_comment_end(text, i);
         } else {
             ++i;
         }

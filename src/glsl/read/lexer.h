@@ -14,7 +14,7 @@ struct Cleaned {
     std::uint32_t first_odd = 0;
 };
 // Byte-order marks, no-break and other exotic spaces, and control characters become blanks; a backslash
-// followed by blanks at the end of a line moves to the end.
+// followed by blanks at the end of a line moves to the end, but for comments `//`, whose next line it would hide.
 Cleaned clean(std::string_view text);
 
 // The end of the blanks and comments that start at `from`; a newline counts as blank.
@@ -23,6 +23,8 @@ struct Trivia {
     bool line_end = false;  // outside of comments
 };
 Trivia skip_trivia(std::string_view text, std::size_t from);
+// The end of the line of the comment `//` at or before `i`, and of those that a backslash at its end adds to it.
+std::size_t line_comment_end(std::string_view text, std::size_t i);
 // The end of the line of the directive at `i`, continuations and comments included.
 std::size_t directive_end(std::string_view text, std::size_t i);
 // The token that starts at `from`, which is no blank. Of kind end at the end of the text.

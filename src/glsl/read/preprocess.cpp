@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "src/glsl/read/macro.h"
+#include "src/glsl/read/slips.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl {
@@ -102,6 +103,7 @@ void Preprocessor::read(FileId file) {
         diagnostics_.warning("odd-blank", span(cleaned.first_odd, cleaned.first_odd + 1),
                              "a no-break space or the like is read as a blank");
     text_ = unit_.keep(std::move(cleaned.text));
+    check_comments(text_, file, diagnostics_);
     at_ = lead_start_ = 0;
     bool line_start = true;
     while (true) {
@@ -243,7 +245,9 @@ void Preprocessor::conditional(std::string_view name, std::string_view rest, std
         c.taken = c.taken || c.active;
         c.had_else = c.had_else || name == "else";
     }
-    if (!unit_.verbatim) blank_out(before ? start : lead_start_, end);
+    const std::size_t surplus = end - rest.size() + before_surplus(name, rest, span(start, end), diagnostics_);
+    if (!unit_.verbatim) return blank_out(before ? start : lead_start_, end);
+    if (surplus < end) blank_out(surplus, end);
 }
 
 void Preprocessor::perform(std::string_view name, std::string_view rest, std::size_t start, std::size_t end) {

@@ -51,8 +51,7 @@ private:
             close = text_.find("*/", close);
             close = close == std::string_view::npos ? end : std::min(close + 2, end);
         } else {
-            while (close < end && text_[close] != '\n') close += text_[close] == '\\' && close + 1 < end ? 2 : 1;
-            close = std::min(close, end);
+            close = std::min(glsl::line_comment_end(text_, at), end);
         }
         outline_.comments.push_back(span(outline_.file, at, close));
         return close;
