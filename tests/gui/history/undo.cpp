@@ -147,6 +147,24 @@ TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     EXPECT_EQ(red(), slid);
 }
 
+// The shader has the uniform all the time.
+TEST_F(Past, AUniformThatIsRenamedInTheSceneAloneAndBackHasItsPosition) {
+    open("one.glib");
+    slide(.75);
+    const double slid = red();
+    save("one.glib", scene("uRose"));
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRose"); }));
+    EXPECT_EQ(red(), 0) << "what the program begins with";
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return !s["controls"].contains("Paint.uRose"); }));
+    settle();
+    EXPECT_EQ(red(), slid);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << notice();
+    press("ctrl+y");
+    EXPECT_EQ(red(), slid);
+}
+
 TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
     open("one.glib");
     save("one.snapshots.json", R"({"1": {"values": {}, "ladders": {"TINT": "light"}}})");
