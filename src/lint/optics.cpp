@@ -18,6 +18,15 @@ namespace {
 // A dot product of unit vectors exceeds 1 by roundings of float.
 constexpr double rounding = 4e-7;
 
+// A unit vector such as a normal. The direction to a position is none here: from the eye, all that is seen lies ahead.
+bool turns(const Value& v) { return v.length == Length::unit && v.space > Space::any && !v.point; }
+
+// Constant, and the largest of its components is known.
+bool fixed_axis(const Value& v) {
+    return v.space == Space::any && v.plain && v.type.rows >= 2 && v.range.real_lo && v.range.real_hi &&
+           v.range != exactly(0);
+}
+
 bool names_index(std::string_view name) {
     const std::string n = lowered(name);
     return n.find("eta") != std::string::npos || n.find("ior") != std::string::npos ||
@@ -138,6 +147,10 @@ Value Walker::call_dot(const std::vector<Expr>& given) {
     v.type = glsl::make_type(Base::real);
     if (a.id && a.id == b.id) {
         v.range.lo = 0;
+    } else if ((turns(a) && fixed_axis(b)) || (turns(b) && fixed_axis(a))) {
+        const Range& axis = (turns(a) ? b : a).range;
+        const double end = std::max(std::abs(axis.lo), std::abs(axis.hi)) * (1 + rounding);
+        v.range = between(-end, end);
     } else if (spatial(a) && spatial(b)) {
         const double end = 1 + rounding;
         v.range = a.length == Length::unit && b.length == Length::unit ? between(-end, end) : Range{};

@@ -313,6 +313,48 @@ TEST_F(Undo, AStepOfAValueThatADamagedTextDidNotListLeadsToTheTexts) {
     EXPECT_EQ(value(0), .5) << "0 was no value of the text";
 }
 
+// The program uses the uniform still, but for one save its line does not list it.
+TEST_F(Undo, AStepOfAValueThatWasNotListedForAWhileIsThatStepAgain) {
+    value(0) = .9;
+    ASSERT_TRUE(step());
+    Remembered memory;
+    remember(scene_, controls_, memory);
+    Diagnostics ignored;
+    std::vector<ActiveUniform> uniforms(2, active("float"));
+    uniforms[0].name = "uMix";
+    uniforms[1].name = "uEta";
+    scene_ = scene({"uMix"});
+    controls_ = make_controls(scene_, {uniforms}, ignored);
+    history_.reread(scene_, controls_, view_);
+    remember(scene_, controls_, memory);
+    scene_ = scene({"uEta", "uMix"});
+    controls_ = fresh(scene_);
+    recall(memory, scene_, controls_);
+    ASSERT_EQ(value(0), .9);
+    history_.reread(scene_, controls_, view_);
+    EXPECT_FALSE(step()) << "an edit is not a step";
+    EXPECT_EQ(undo(), "undo: Glass.uEta 0.9 \u2192 0.5");
+    EXPECT_EQ(redo(), "redo: Glass.uEta 0.5 \u2192 0.9");
+}
+
+TEST_F(Undo, AStepThatChangesNothingIsSkipped) {
+    value(1) = 1.5;
+    ASSERT_TRUE(step());
+    value(0) = .9;
+    ASSERT_TRUE(step());
+    value(0) = .5;  // not by the user
+    history_.begin(scene_, controls_, view_);
+    EXPECT_EQ(undo(), "undo: Glass.uMix 1.5 \u2192 0.5");
+    EXPECT_EQ(redo(), "redo: Glass.uMix 0.5 \u2192 1.5");
+    EXPECT_EQ(redo(), "redo: Glass.uEta 0.5 \u2192 0.9");
+}
+
+TEST_F(Undo, AStepOfARangeAloneNamesTheRange) {
+    controls_.items[0].max = 5;
+    ASSERT_TRUE(step());
+    EXPECT_EQ(undo(), "undo: Glass.uEta range 0 to 5 \u2192 0 to 2");
+}
+
 TEST_F(Undo, ObjectsAreFoundAgain) {
     scene_.draws = {Draw{.shape = Sphere{}}, Draw{.shape = Torus{}}};
     history_.begin(scene_, controls_, view_);

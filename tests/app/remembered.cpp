@@ -47,6 +47,33 @@ TEST(Remembered, ARenamedUniformHasItsValueWhenItIsRenamedBack) {
     EXPECT_EQ(back.items[0].value, Values{.75});
 }
 
+// The program still uses the uniform, so it has a control meanwhile, with the program's own value.
+TEST(Remembered, AUniformThatIsNotListedForAWhileHasItsValueWhenItIsListedAgain) {
+    const Scene before = slider("uKa", {0, .5, 1}), between = slider("uKb", {0, .5, 1});
+    std::vector<ActiveUniform> uniforms(1, active("float"));
+    uniforms[0].name = "uKa";
+    Diagnostics ignored;
+    Controls controls = make_controls(before, {uniforms}, ignored);
+    controls.items[0].value = {.75};
+    Remembered memory;
+    remember(before, controls, memory);
+    Controls unlisted = make_controls(between, {uniforms}, ignored);
+    Control* meanwhile = unlisted.find(0, "uKa");
+    ASSERT_TRUE(meanwhile != nullptr && !meanwhile->listed);
+    EXPECT_FALSE(recall(memory, between, unlisted));
+    EXPECT_EQ(meanwhile->value, Values{0});
+    remember(between, unlisted, memory);
+    Controls back = make_controls(before, {uniforms}, ignored);
+    EXPECT_TRUE(recall(memory, before, back));
+    EXPECT_EQ(back.items[0].value, Values{.75});
+    // What is set there, and reset, is forgotten.
+    meanwhile->value = {.25};
+    remember(between, unlisted, memory);
+    meanwhile->value = {0};
+    remember(between, unlisted, memory);
+    EXPECT_EQ(memory.values.count("Glass.uKa"), 0U);
+}
+
 // After a save of 1.5 the text said <0. 1.5 1.5>; then the file was reverted.
 TEST(Remembered, ALiveValueOutlivesTheRangeThatWasReverted) {
     const Scene saved = slider("uKa", {0, 1.5, 1.5}), reverted = slider("uKa", {0, .5, 1});

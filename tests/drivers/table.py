@@ -83,6 +83,8 @@ BUGS = [
     "zink (Mesa 22.3.6) does not start by `MESA_LOADER_DRIVER_OVERRIDE` without a display (`failed to create dri2 screen`).",
     "ANGLE's EGL also makes contexts of OpenGL 4.6, whose functions libepoxy takes from the system's libGL; `--context "
     "es3.1` must be given.",
+    "In OpenGL, llvmpipe and softpipe draw no point whose position is outside of the picture; in OpenGL ES (3.0 to 3.2), "
+    "llvmpipe draws the part of it that reaches in. With `PointSize` above 1, the picture's edge differs.",
     "llvmpipe, and so zink over lavapipe, weigh neighbouring texels in steps of 1/256: a ramp between two texels is wrong by "
     "up to .8 of 255, by softpipe and SwiftShader by 0.",
 ]

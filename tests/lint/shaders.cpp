@@ -93,6 +93,21 @@ TEST(LintPow, OfANegativeBase) {
     EXPECT_EQ(body("gl_FragColor = vec4(pow(vN.x - uX, 2.));").at("pow-of-negative"), Places{"vN.x - uX"});
 }
 
+TEST(LintPow, OfANormalAlongAnAxis) {
+    const Linted bad = body("gl_FragColor = vec4(pow(dot(normalize(vN), vec3(1., 0., 0.)), 2.5));");
+    EXPECT_EQ(bad.at("pow-of-negative"), Places{"dot(normalize(vN), vec3(1., 0., 0.))"}) << bad.text();
+    EXPECT_EQ(body("vec3 n = normalize(vN);\ngl_FragColor = vec4(pow(dot(vec3(0., .5, -.5), n), uX));", "uX <1. 2. 8.>")
+                  .at("pow-of-negative"),
+              Places{"dot(vec3(0., .5, -.5), n)"});
+    const Linted half = body("gl_FragColor = vec4(pow(.5 + .5 * dot(normalize(vN), vec3(0., 1., 0.)), 2.));");
+    EXPECT_NE(half.text().find("by rounding"), std::string::npos) << half.text();
+    expect_silent(body("gl_FragColor = vec4(pow(.6 + .5 * dot(normalize(vN), vec3(0., 1., 0.)), 2.));"));
+    expect_silent(body("gl_FragColor = vec4(pow(max(dot(normalize(vN), vec3(0., 1., 0.)), 0.), 2.));"));
+    // Weights of a colour; a colour of any kind may be given unit length.
+    expect_silent(body("gl_FragColor = vec4(pow(dot(texture(uSky, vN).rgb, vec3(.2126, .7152, .0722)), 2.));"));
+    expect_silent(body("gl_FragColor = vec4(pow(dot(normalize(texture(uSky, vN).rgb), vec3(1.)), 2.));"));
+}
+
 TEST(LintPow, OfAQuotientOfSliders) {
     const std::string_view f0 = "gl_FragColor = vec4(pow((1. - uEta) / (1. + uEta), 2.));";
     EXPECT_EQ(body(f0, "uEta <.1 1.1 5.>").at("pow-of-negative"), Places{"(1. - uEta) / (1. + uEta)"});

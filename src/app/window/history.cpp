@@ -248,7 +248,7 @@ std::string History::go(const UserState& state, bool forward) {
     while (forward ? done_ < steps_.size() : done_ > 0) {
         const Step& step = steps_[forward ? done_++ : --done_];
         const std::string said = apply(step, state, forward);
-        if (said.empty()) continue;  // the scene has nothing of it any more
+        if (said.empty()) continue;  // the scene has nothing of it any more, or is so already
         begin(state.scene, state.controls, state.view);
         return said;
     }
@@ -265,14 +265,16 @@ std::string History::apply(const Step& step, const UserState& state, bool forwar
     std::string said;
     std::size_t count = 0;
     for (const auto& change : step.rungs) {
+        const Rungs before = state.controls.rungs;
         if (!set_rung(state.scene, state.controls.rungs, change.name, change.at(forward))) continue;
+        if (state.controls.rungs == before) continue;
         ++count;
         said = fmt::format("{} {} \u2192 {}", change.name, change.at(!forward), change.at(forward));
     }
     if (count > 0) state.follow_rungs();
     if (const std::string value = apply_values(step, state, forward, count); !value.empty()) said = value;
     if (count > 1) said = ui::counted(count, "value");
-    if (step.view) {
+    if (step.view && without_mouse(state.view) != step.view->at(forward)) {
         const View before = std::exchange(state.view, step.view->at(forward));
         state.view.mouse_x = before.mouse_x;
         state.view.mouse_y = before.mouse_y;
@@ -291,13 +293,18 @@ std::string History::apply_values(const Step& step, const UserState& state, bool
         Control& control = state.controls.items[static_cast<std::size_t>(found - names.begin())];
         const State& wanted = change.at(forward);
         if (control.value.size() != wanted.value.size()) continue;
-        said = fmt::format("{} {} \u2192 {}", change.name, numbers(control, control.value),
-                           numbers(control, wanted.value));
+        const State before = state_of(control);
         control.value = wanted.value;
         if (control.widget == Widget::slider) {
             control.min = std::min(wanted.min, control.initial_min);
             control.max = std::max(wanted.max, control.initial_max);
         }
+        const State after = state_of(control);
+        if (after == before) continue;  // the text has moved it there
+        said = after.value == before.value ? fmt::format("{} range {:.6g} to {:.6g} \u2192 {:.6g} to {:.6g}",
+                                                         change.name, before.min, before.max, after.min, after.max)
+                                           : fmt::format("{} {} \u2192 {}", change.name, numbers(control, before.value),
+                                                         numbers(control, after.value));
         ++count;
     }
     return said;

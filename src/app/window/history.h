@@ -53,7 +53,7 @@ public:
     void add(int snapshot, SavedFile file);
 
     // Go one step back, or forward again, and return what was changed, such as "undo: Glass.uEta 1.5 → 1.1". What the
-    // scene no longer has is skipped.
+    // scene no longer has is skipped, and so is what an edit of the text already changed to that.
     std::string undo(const UserState& state) { return go(state, false); }
     std::string redo(const UserState& state) { return go(state, true); }
 

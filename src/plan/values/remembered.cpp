@@ -60,8 +60,9 @@ void remember(const Scene& scene, const Controls& controls, Remembered& memory, 
         const Control& control = controls.items[i];
         if (control.type != ValueType::sampler && (all || control.value != control.initial))
             memory.values[names[i]] = remembered(control);
-        else
-            memory.values.erase(names[i]);
+        else if (const auto noted = memory.values.find(names[i]);
+                 noted != memory.values.end() && (control.listed || noted->second.initial == control.initial))
+            memory.values.erase(noted);
     }
     if (memory.values.size() > names.size() + most_gone) {
         const std::set<std::string_view> here(names.begin(), names.end());

@@ -34,8 +34,9 @@ std::vector<std::string> control_names(const Scene& scene, const Controls& contr
 
 RememberedValue remembered(const Control& control);
 
-// Notes what differs from the scene, and forgets what no longer does. What the scene does not have stays. With `all`,
-// the scene's own values are noted too.
+// Notes what differs from the scene, and forgets what no longer does. What the scene does not have stays, and so does
+// the value of a uniform that the program still uses but its line no longer lists. With `all`, the scene's own values
+// are noted too.
 void remember(const Scene& scene, const Controls& controls, Remembered& memory, bool all = false);
 
 // Whether a value that the text has changed since follows the text.

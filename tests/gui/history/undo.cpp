@@ -147,6 +147,29 @@ TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
     EXPECT_EQ(red(), slid);
 }
 
+// The shader has the uniform all the time.
+TEST_F(Past, AUniformThatItsLineDoesNotListForAWhileHasItsPosition) {
+    const auto red_is = [&](double wanted) {
+        return wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == wanted; });
+    };
+    open("one.glib");
+    slide(.75);
+    const double slid = red();
+    for (const char* instead : {"uRose <0. .2 1.>", "", "# uRed <0. .2 1.>"}) {
+        std::string text = scene("uRed");
+        const std::string_view listed = "uRed <0. .2 1.>";
+        save("one.glib", text.replace(text.find(listed), listed.size(), instead));
+        ASSERT_TRUE(red_is(0)) << "what the program begins with; " << instead;
+        save("one.glib", scene("uRed"));
+        EXPECT_TRUE(red_is(slid)) << instead;
+    }
+    settle();
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << notice();
+    press("ctrl+y");
+    EXPECT_EQ(red(), slid);
+}
+
 TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
     open("one.glib");
     save("one.snapshots.json", R"({"1": {"values": {}, "ladders": {"TINT": "light"}}})");
