@@ -144,13 +144,14 @@ std::vector<Mistake> folded(const std::vector<Found>& all, log::Texts& texts) {
 }  // namespace
 
 void explain_log(std::string_view log, const Translation& translation, const StageOutput* stage, Span where,
-                 std::string_view program, const Sources& sources, Diagnostics& diagnostics) {
+                 std::string_view program, const Sources& sources, Diagnostics& diagnostics, Lines lines) {
     log::Texts texts(sources);
     const Context context{translation, stage, where, sources, texts};
     std::vector<Found> errors, warnings;
     for (Entry& entry : log::read(log)) {
         auto& list = entry.severity == Severity::error ? errors : warnings;
         if (stage) entry.stage = stage->stage;
+        if (stage && lines == Lines::unnumbered) log::number(entry, stage->text);
         const Place place = log::place(entry, context);
         list.push_back({std::move(entry), place});
     }
