@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <set>
 
 #include "src/glsl/log/log.h"
 
@@ -89,6 +90,42 @@ std::optional<Aim> aim(const Entry& entry, std::string_view row, std::string_vie
     return result;
 }
 
+bool names_something(Kind kind) {
+    return kind == Kind::undeclared || kind == Kind::no_function || kind == Kind::no_overload;
+}
+
+// Macros may name those below them: each pass goes one deeper.
+constexpr int deepest_macro = 8;
+
+// The macro on the line that brings in `name`, itself or by the macros in its text.
+std::optional<Word> macro_with(std::string_view name, std::span<const Word> on_line, std::string_view text,
+                               const Context& context) {
+    std::set<std::string_view> bringing{name};
+    std::size_t before = 0;
+    for (int pass = 0; pass < deepest_macro && before != bringing.size(); ++pass) {
+        before = bringing.size();
+        for (const FileId file : context.stage->files) {
+            const std::string_view of = context.sources.text(file);
+            std::string_view macro;
+            for (const Word& w : context.texts.words(file)) {
+                const std::string_view t = text_of(of, w);
+                if (!w.directive || t == "#") {
+                    macro = {};
+                } else if (t == "define") {
+                    macro = t;
+                } else if (macro == "define") {
+                    macro = t;
+                } else if (!macro.empty() && bringing.contains(t)) {
+                    bringing.insert(macro);
+                }
+            }
+        }
+    }
+    for (const Word& w : on_line)
+        if (!w.directive && bringing.contains(text_of(text, w))) return w;
+    return std::nullopt;
+}
+
 void place_on_line(const Entry& entry, const Context& context, Place& found) {
     const std::string_view text = context.sources.text(found.file);
     const std::string_view line = context.sources.line(found.file, found.line);
@@ -100,6 +137,12 @@ void place_on_line(const Entry& entry, const Context& context, Place& found) {
     const std::string quoted = user_name(entry.a, line);
     const auto quoted_here = [&](const Word& w) { return text_of(text, w) == quoted; };
     const bool use_quoted = !quoted.empty() && std::any_of(on_line.begin(), on_line.end(), quoted_here);
+    if (!use_quoted && !quoted.empty() && names_something(entry.kind)) {
+        if (const auto macro = macro_with(quoted, on_line, text, context)) {
+            found.span = {found.file, macro->begin, macro->end};
+            return;
+        }
+    }
     Aim target{.word = use_quoted ? quoted : std::string(), .ordinal = 0};
     for (const std::string_view row : translated_lines(context.stage->text, entry.string, entry.line)) {
         const auto better = aim(entry, row, target.word, line);
