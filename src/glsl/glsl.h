@@ -140,8 +140,15 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
 // Turns a driver's compile or link log (Mesa, NVIDIA, AMD/Intel, Apple, ANGLE) into diagnostics at the user's
 // own lines: first cause first, follow-ups folded, hints for the classics. `stage` is null for link logs.
 // `where` is the scene's statement, for lines that lead nowhere.
+// `lines` says what the log's line numbers count.
+enum class Lines : std::uint8_t { numbered, unnumbered };  // those of StageOutput::text; those of unnumbered(text)
 void explain_log(std::string_view log, const Translation& translation, const StageOutput* stage, Span where,
-                 std::string_view program, const Sources& sources, Diagnostics& diagnostics);
+                 std::string_view program, const Sources& sources, Diagnostics& diagnostics,
+                 Lines lines = Lines::numbered);
+
+// The text of a stage with an empty line for each #line. Mesa forgets in which source string an expression stands, so
+// what is wrong in an included file is found by its line in the whole text.
+std::string unnumbered(std::string_view text);
 
 // ---- the names that translated shaders use for what the system provides --------------------------------
 // The translator writes these, the runtime sets them. A legacy `gl_Xyz` becomes `snell_Xyz`, an array or

@@ -116,6 +116,34 @@ TEST_F(Language, AnIncludedSceneStandsWhereItIsNamed) {
     EXPECT_FALSE(near(picture.at(10, 32), red));
 }
 
+// Wherever the include stands, and whatever its file has on the same lines.
+TEST_F(Language, ErrorsInIncludedFilesStandThere) {
+    struct Case {
+        const char *included, *error;
+    };
+    for (const Case& c :
+         {Case{"// a\nfloat f(float x)\n{\n float y = x*undefd;\n return y; }\n", ":4:14: error: 'undefd' is not"},
+          Case{"float f(float x)\n{\n return x*undefd; }\n", ":3:11: error: 'undefd' is not"},
+          Case{"float f(float x) {\n vec3 y = vec2(x);\n return x; }\n", ":2:11: error: a 'vec2' cannot"},
+          Case{"\nfloat f(float x) {\n if (x > .5) return normalise(x);\n return x; }\n",
+               ":3:21: error: there is no function 'normalise'"},
+          Case{"float f(float x)\n{ return vec2(x).z; }\n", ":2:18: error: '.z' asks"},
+          Case{"float f(float x) { return x }\n", ":1:29: error: unexpected '}'"}})
+        for (const char* before :
+             {"", "// 1\n\nuniform float uA;\n", "uniform float uA; float g(float x) {\n return x; }\n"}) {
+            SCOPED_TRACE(std::string(before) + c.included);
+            folder.write("part.glsl", c.included);
+            folder.write("whole.frag", std::string("#version 330 compatibility\n") + before +
+                                           "#include \"part.glsl\"\nvoid main() { gl_FragColor = vec4(f(1.)); }\n");
+            auto document = open("Vertex plain.vert\nFragment whole.frag\nProgram P\nQuadXY\n");
+            draw(*document);
+            const std::string all = render(document->diagnostics, document->sources);
+            EXPECT_EQ(document->diagnostics.errors(), 1U) << all;
+            EXPECT_TRUE(all.starts_with(folder.path("part.glsl") + c.error)) << all;
+            complaints.clear();  // the driver's own words
+        }
+}
+
 TEST_F(Language, ColoursOfVerticesAndOfDraws) {
     EXPECT_TRUE(near(draw(std::string(square) + "Color [0. 1. 0.]\nQuadXY\n").center(), green));
     const Picture picture = draw(

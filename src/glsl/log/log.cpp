@@ -47,6 +47,21 @@ bool same_line(const Found& x, const Found& y) {
     return x.place.known && y.place.known && x.place.file == y.place.file && x.place.line == y.place.line;
 }
 
+// Whether no word that ends a statement stands between the two.
+bool same_statement(const Found& x, const Found& y, const Context& context) {
+    if (!x.place.known || !y.place.known || x.place.file != y.place.file) return false;
+    const auto [first, last] = std::minmax(x.place.line, y.place.line);
+    const auto [begin, end] = std::minmax(x.place.span.begin, y.place.span.begin);
+    const std::string_view text = context.sources.text(x.place.file);
+    for (int line = first; line <= last; ++line)
+        for (const log::Word& word : context.texts.on_line(x.place.file, line)) {
+            if (word.begin < begin || word.begin >= end) continue;
+            const std::string_view w = log::text_of(text, word);
+            if (word.directive || w == ";" || w == "{" || w == "}") return false;
+        }
+    return true;
+}
+
 bool about_names(const Found& found) {
     return found.entry.kind == log::Kind::undeclared || found.entry.kind == log::Kind::no_function;
 }
@@ -54,12 +69,16 @@ bool about_names(const Found& found) {
 // Drivers report these kinds for expressions that contain another error.
 bool is_consequence(const Found& found) { return !about_names(found) && found.entry.kind != log::Kind::redeclared; }
 
+bool is_consequence_of(const Found& later, const Found& cause, const Context& context) {
+    return is_consequence(later) && (same_line(later, cause) || same_statement(later, cause, context));
+}
+
 // Whether `later` would vanish if `cause` were mended.
-bool follows(const Found& later, const Found& cause) {
+bool follows(const Found& later, const Found& cause, const Context& context) {
     if (later.entry.stage != cause.entry.stage) return false;
     if (is_syntax(cause.entry.kind) && later.entry.string >= 0) return true;
     if (about_names(later)) return later.entry.kind == cause.entry.kind && later.entry.a == cause.entry.a;
-    if (same_line(later, cause)) return is_consequence(later);
+    if (is_consequence_of(later, cause, context)) return true;
     return later.entry.text == cause.entry.text && later.entry.string < 0;
 }
 
@@ -121,19 +140,19 @@ struct Mistake {
     std::vector<Found> rest;
 };
 
-std::vector<Mistake> folded(const std::vector<Found>& all, log::Texts& texts) {
+std::vector<Mistake> folded(const std::vector<Found>& all, const Context& context) {
     std::vector<Mistake> groups;
     for (const Found& found : all) {
         const auto caused_by = [&](const Mistake& group) {
-            if (follows(found, group.cause)) return true;
-            const auto beside = [&](const Found& other) { return is_consequence(found) && same_line(found, other); };
+            if (follows(found, group.cause, context)) return true;
+            const auto beside = [&](const Found& other) { return is_consequence_of(found, other, context); };
             if (std::any_of(group.rest.begin(), group.rest.end(), beside)) return true;
             return found.entry.kind == log::Kind::undeclared && !found.entry.a.empty() &&
                    group.doubtful.contains(found.entry.a);
         };
         const auto group = std::find_if(groups.begin(), groups.end(), caused_by);
         if (group == groups.end()) {
-            groups.push_back({found, doubtful_names(found, texts), {}});
+            groups.push_back({found, doubtful_names(found, context.texts), {}});
         } else {
             group->rest.push_back(found);
         }
@@ -144,17 +163,18 @@ std::vector<Mistake> folded(const std::vector<Found>& all, log::Texts& texts) {
 }  // namespace
 
 void explain_log(std::string_view log, const Translation& translation, const StageOutput* stage, Span where,
-                 std::string_view program, const Sources& sources, Diagnostics& diagnostics) {
+                 std::string_view program, const Sources& sources, Diagnostics& diagnostics, Lines lines) {
     log::Texts texts(sources);
     const Context context{translation, stage, where, sources, texts};
     std::vector<Found> errors, warnings;
     for (Entry& entry : log::read(log)) {
         auto& list = entry.severity == Severity::error ? errors : warnings;
         if (stage) entry.stage = stage->stage;
+        if (stage && lines == Lines::unnumbered) log::number(entry, stage->text);
         const Place place = log::place(entry, context);
         list.push_back({std::move(entry), place});
     }
-    const std::vector<Mistake> groups = folded(errors, texts);
+    const std::vector<Mistake> groups = folded(errors, context);
     for (std::size_t i = 0; i < groups.size() && i < most_errors; ++i) {
         Diagnostic diagnostic = explain(groups[i].cause, context, program);
         if (!groups[i].rest.empty())

@@ -144,6 +144,8 @@ struct Context {
 };
 
 Place place(const Entry& entry, const Context& context);
+// Gives an entry about unnumbered(text) the source string and the line that `text` has there.
+void number(Entry& entry, std::string_view text);
 
 // The one-line message in the user's words.
 std::string message(const Entry& entry, const Place& place, const Context& context);

@@ -2,32 +2,51 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <set>
 
 #include "src/glsl/log/log.h"
 
 namespace snell::glsl::log {
 namespace {
 
-// The physical lines of the translation that #line numbers as `line` of source string `string`.
-std::vector<std::string_view> translated_lines(std::string_view text, int string, int line) {
-    std::vector<std::string_view> found;
+// A line of the translation, as #line numbers it.
+struct Row {
+    std::string_view text;
+    int string = 0, line = 0;  // line 0: it is a #line itself
+};
+
+bool is_numbering(std::string_view row) {
+    row.remove_prefix(std::min(row.find_first_not_of(" \t"), row.size()));
+    return row.starts_with("#line ");
+}
+
+std::vector<Row> rows_of(std::string_view text) {
+    std::vector<Row> rows;
     int at_string = 0, at_line = 1;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view row = text.substr(begin, end - begin);
         begin = end + 1;
-        if (row.starts_with("#line ")) {
-            char* rest = nullptr;
-            const std::string numbers(row.substr(6));
-            at_line = static_cast<int>(std::strtol(numbers.c_str(), &rest, 10));
-            char* after = rest;
-            const long number = std::strtol(rest, &after, 10);
-            if (after != rest) at_string = static_cast<int>(number);
+        if (!is_numbering(row)) {
+            rows.push_back({row, at_string, at_line++});
             continue;
         }
-        if (at_string == string && at_line == line) found.push_back(row);
-        ++at_line;
+        rows.push_back({row, at_string, 0});
+        char* rest = nullptr;
+        const std::string numbers(row.substr(row.find("#line ") + 6));
+        at_line = static_cast<int>(std::strtol(numbers.c_str(), &rest, 10));
+        char* after = rest;
+        const long number = std::strtol(rest, &after, 10);
+        if (after != rest) at_string = static_cast<int>(number);
     }
+    return rows;
+}
+
+// The physical lines of the translation that #line numbers as `line` of source string `string`.
+std::vector<std::string_view> translated_lines(std::string_view text, int string, int line) {
+    std::vector<std::string_view> found;
+    for (const Row& row : rows_of(text))
+        if (row.line > 0 && row.string == string && row.line == line) found.push_back(row.text);
     return found;
 }
 
@@ -71,6 +90,42 @@ std::optional<Aim> aim(const Entry& entry, std::string_view row, std::string_vie
     return result;
 }
 
+bool names_something(Kind kind) {
+    return kind == Kind::undeclared || kind == Kind::no_function || kind == Kind::no_overload;
+}
+
+// Macros may name those below them: each pass goes one deeper.
+constexpr int deepest_macro = 8;
+
+// The macro on the line that brings in `name`, itself or by the macros in its text.
+std::optional<Word> macro_with(std::string_view name, std::span<const Word> on_line, std::string_view text,
+                               const Context& context) {
+    std::set<std::string_view> bringing{name};
+    std::size_t before = 0;
+    for (int pass = 0; pass < deepest_macro && before != bringing.size(); ++pass) {
+        before = bringing.size();
+        for (const FileId file : context.stage->files) {
+            const std::string_view of = context.sources.text(file);
+            std::string_view macro;
+            for (const Word& w : context.texts.words(file)) {
+                const std::string_view t = text_of(of, w);
+                if (!w.directive || t == "#") {
+                    macro = {};
+                } else if (t == "define") {
+                    macro = t;
+                } else if (macro == "define") {
+                    macro = t;
+                } else if (!macro.empty() && bringing.contains(t)) {
+                    bringing.insert(macro);
+                }
+            }
+        }
+    }
+    for (const Word& w : on_line)
+        if (!w.directive && bringing.contains(text_of(text, w))) return w;
+    return std::nullopt;
+}
+
 void place_on_line(const Entry& entry, const Context& context, Place& found) {
     const std::string_view text = context.sources.text(found.file);
     const std::string_view line = context.sources.line(found.file, found.line);
@@ -82,6 +137,12 @@ void place_on_line(const Entry& entry, const Context& context, Place& found) {
     const std::string quoted = user_name(entry.a, line);
     const auto quoted_here = [&](const Word& w) { return text_of(text, w) == quoted; };
     const bool use_quoted = !quoted.empty() && std::any_of(on_line.begin(), on_line.end(), quoted_here);
+    if (!use_quoted && !quoted.empty() && names_something(entry.kind)) {
+        if (const auto macro = macro_with(quoted, on_line, text, context)) {
+            found.span = {found.file, macro->begin, macro->end};
+            return;
+        }
+    }
     Aim target{.word = use_quoted ? quoted : std::string(), .ordinal = 0};
     for (const std::string_view row : translated_lines(context.stage->text, entry.string, entry.line)) {
         const auto better = aim(entry, row, target.word, line);
@@ -127,6 +188,15 @@ Place place_of_name(const Entry& entry, const Context& context) {
 
 }  // namespace
 
+void number(Entry& entry, std::string_view text) {
+    const std::vector<Row> rows = rows_of(text);
+    if (entry.string < 0 || entry.line < 1 || rows.empty()) return;
+    std::size_t at = std::min(static_cast<std::size_t>(entry.line), rows.size()) - 1;
+    while (rows[at].line == 0 && at + 1 < rows.size()) ++at;
+    entry.string = rows[at].string;
+    entry.line = rows[at].line;
+}
+
 Place place(const Entry& entry, const Context& context) {
     if (!context.stage || entry.string < 0 || entry.line < 1) return place_of_name(entry, context);
     Place found{.file = context.where.file, .span = context.where};
@@ -148,3 +218,16 @@ Place place(const Entry& entry, const Context& context) {
 }
 
 }  // namespace snell::glsl::log
+
+namespace snell::glsl {
+
+std::string unnumbered(std::string_view text) {
+    std::string out;
+    for (const log::Row& row : log::rows_of(text)) {
+        if (row.line > 0) out += row.text;
+        out += '\n';
+    }
+    return out;
+}
+
+}  // namespace snell::glsl

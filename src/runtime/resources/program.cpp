@@ -115,6 +115,13 @@ std::shared_ptr<gl::Shader> compile(const glsl::StageOutput& stage, Store* store
     return shader;
 }
 
+// What the driver says of a shader with included files, by its lines in the whole text; empty if there are none.
+std::string log_with_includes(const glsl::StageOutput& stage) {
+    if (stage.files.size() < 2) return {};
+    gl::Compiled again = gl::compile(gl_stage(stage.stage), glsl::unnumbered(stage.text));
+    return again.shader ? std::string() : std::move(again.log);
+}
+
 }  // namespace
 
 bool LinkedProgram::reads(glsl::System which) const {
@@ -149,9 +156,10 @@ namespace {
 // Returns null if a stage does not compile, or if the stages do not link.
 std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Translation& translation,
                                      Diagnostics& diagnostics) {
-    const auto explain = [&](const std::string& log, const glsl::StageOutput* stage) {
+    const auto explain = [&](const std::string& log, const glsl::StageOutput* stage,
+                             glsl::Lines lines = glsl::Lines::numbered) {
         glsl::explain_log(log, translation, stage, request.program.span, request.program.name, request.sources,
-                          diagnostics);
+                          diagnostics, lines);
     };
     auto linked = std::make_shared<LinkedProgram>();
     std::vector<const gl::Shader*> parts;
@@ -160,6 +168,8 @@ std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Tra
         if (auto shader = compile(stage, request.store, request.counters, log)) {
             parts.push_back(shader.get());
             linked->shaders.push_back(std::move(shader));
+        } else if (const std::string whole = log_with_includes(stage); !whole.empty()) {
+            explain(whole, &stage, glsl::Lines::unnumbered);
         } else {
             explain(log, &stage);
         }
