@@ -32,6 +32,12 @@ FoundResult of_two() {
     return found;
 }
 
+FoundRung& tried_at_two_places(FoundResult& found) {
+    found.rungs = {tried("1", {0})};
+    found.rungs[0].at.resize(2);
+    return found.rungs[0];
+}
+
 bool says(const FoundResult& found, std::string_view words) {
     return found_text(found).find(words) != std::string::npos;
 }
@@ -51,9 +57,7 @@ TEST(FoundReport, PartsOfACombinationAreListedWithIt) {
 
 TEST(FoundReport, ErrorsAsTheSceneOpensAreNextToTheWorst) {
     FoundResult found = of_two();
-    found.rungs = {tried("1", {0})};
-    FoundRung& rung = found.rungs[0];
-    rung.at.resize(2);
+    FoundRung& rung = tried_at_two_places(found);
     rung.at[0].own.light.rmse = .001;
     rung.at[0].flip = .002;
     rung.at[1].own.light.rmse = .03;
@@ -68,9 +72,7 @@ TEST(FoundReport, ErrorsAsTheSceneOpensAreNextToTheWorst) {
 
 TEST(FoundReport, APlaceThatDoesNotChangeIsNoFlipOfTheWorst) {
     FoundResult found = of_two();
-    found.rungs = {tried("1", {0})};
-    FoundRung& rung = found.rungs[0];
-    rung.at.resize(2);
+    FoundRung& rung = tried_at_two_places(found);
     rung.at[0].flip = 0;
     rung.at[1].own.light.rmse = .6;
     rung.worst_searched = 1;
@@ -139,9 +141,7 @@ TEST(FoundReport, WhatIsExactAndSavesNothingIsNotOnTheFront) {
 // Where a few bright pixels make the RMSE, it is not the picture that looks most different.
 TEST(FoundReport, TheLargestFlipIsShownWhereverTheRmseIsLargest) {
     FoundResult found = of_two();
-    found.rungs = {tried("1", {0})};
-    FoundRung& rung = found.rungs[0];
-    rung.at.resize(2);
+    FoundRung& rung = tried_at_two_places(found);
     rung.at[0].own.light.rmse = .04;
     rung.at[0].flip = .0664;
     rung.at[1].own.light.rmse = 1.6;

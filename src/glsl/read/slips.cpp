@@ -20,7 +20,7 @@ bool harmless(std::string_view next) {
 
 void check_continued(std::string_view text, Span comment, Diagnostics& diagnostics) {
     const std::string_view whole = text.substr(comment.begin, comment.end - comment.begin);
-    // Who makes a comment of `#define F(x) \` means its next lines, too.
+    // An author who turns `#define F(x) \` into a comment means its next lines, too.
     const std::size_t slashes = whole.find_first_not_of('/');
     if (slashes == std::string_view::npos || past_blanks(whole.substr(slashes)).starts_with('#')) return;
     for (std::size_t end = whole.find('\n'); end != std::string_view::npos; end = whole.find('\n', end + 1)) {

@@ -174,13 +174,14 @@ private:
         const Node& n = s_.at(bound.node);
         const std::optional<double> value = fewer(bound, n.value.front(), share);
         if (!value || !s_.own(bound.node) || !s_.own(bound.where)) return;
-        std::vector<Edit> edits{{s_.span(bound.node), literal(*value, n.type)}};
-        add_divisors(edits, bound, n.value.front(), *value);
-        offers_.add(ChangeKind::fewer_rounds, s_.span(bound.where), std::move(edits));
+        offer(bound, s_.span(bound.where), s_.span(bound.node), n, *value);
     }
 
-    // A sum that is divided by the number of rounds, written as a number, stays a mean.
-    void add_divisors(std::vector<Edit>& edits, const RoundBound& bound, double before, double after) const {
+    // Offers the value `after` for the number `n`, which stands at `number`. A sum that is divided by the number of
+    // rounds, written as a number, stays a mean.
+    void offer(const RoundBound& bound, Span where, Span number, const Node& n, double after) {
+        const double before = n.value.front();
+        std::vector<Edit> edits{{number, literal(after, n.type)}};
         int loop = bound.where;
         while (loop >= 0 && s_.at(loop).form != Form::loop) loop = s_.parent(loop);
         const std::set<int> summed = loop < 0 ? std::set<int>() : sums(loop);
@@ -190,6 +191,7 @@ private:
                 other.value.front() == before && k != bound.node && s_.own(k) && divides(k, loop, summed))
                 edits.push_back({s_.span(k), literal(after, other.type)});
         }
+        offers_.add(ChangeKind::fewer_rounds, where, std::move(edits));
     }
 
     // Variables from outside of the loop that it adds to.
@@ -258,12 +260,10 @@ private:
         const std::vector<int> inside = s_.parts(declared);
         if (inside.size() != 1 || !s_.own(declared)) return false;
         if (!s_.at(declared).constant) return local(bound, declared, inside[0], share);
-        if (s_.at(inside[0]).form != Form::number) return false;
-        if (const auto value = fewer(bound, s_.at(inside[0]).value.front(), share)) {
-            std::vector<Edit> edits{{s_.span(inside[0]), literal(*value, s_.at(inside[0]).type)}};
-            add_divisors(edits, bound, s_.at(inside[0]).value.front(), *value);
-            offers_.add(ChangeKind::fewer_rounds, s_.span(declared), std::move(edits));
-        }
+        const Node& number = s_.at(inside[0]);
+        if (number.form != Form::number) return false;
+        if (const auto value = fewer(bound, number.value.front(), share))
+            offer(bound, s_.span(declared), s_.span(inside[0]), number, *value);
         return true;
     }
 
@@ -275,13 +275,10 @@ private:
             return false;
         if (n.value.size() == 1 && n.value.front() < share) return true;
         const std::string text = closed(n) ? s_.text(begins) : "(" + s_.text(begins) + ")";
-        std::vector<Edit> edits{{s_.span(begins), divided(text, n, share)}};
-        if (n.form == Form::number) {
-            const double fewer = std::floor(n.value.front() / share);
-            edits.front().text = literal(fewer, n.type);
-            add_divisors(edits, bound, n.value.front(), fewer);
-        }
-        offers_.add(ChangeKind::fewer_rounds, s_.span(declared), std::move(edits));
+        if (n.form == Form::number)
+            offer(bound, s_.span(declared), s_.span(begins), n, std::floor(n.value.front() / share));
+        else
+            offers_.add(ChangeKind::fewer_rounds, s_.span(declared), {{s_.span(begins), divided(text, n, share)}});
         return true;
     }
 
@@ -312,9 +309,7 @@ private:
         if (!value) return true;
         const std::string_view all = s_.sources.text(place->file);
         const std::uint32_t line = static_cast<std::uint32_t>(all.rfind('\n', place->begin) + 1);
-        std::vector<Edit> edits{{*place, literal(*value, n.type)}};
-        add_divisors(edits, bound, n.value.front(), *value);
-        offers_.add(ChangeKind::fewer_rounds, {place->file, line, place->end}, std::move(edits));
+        offer(bound, {place->file, line, place->end}, *place, n, *value);
         return true;
     }
 
