@@ -47,15 +47,26 @@ TEST_F(RubricMistakes, HavePlacesAndSuggestions) {
     const auto shares = [&](const std::string& path, const std::string& text) {
         folder.write("r.toml", "shared = [\"" + path + "\"]\n[[item]]\nno_errors = true\n");
         const Outcome made = grade("r.toml s -o out");
-        EXPECT_TRUE(made.says("r.toml:1:10: error: 'shared' names '" + path + "', which " + text)) << made.output;
+        EXPECT_TRUE(made.says("r.toml:1:11: error: 'shared' names '" + path + "', which " + text)) << made.output;
         EXPECT_EQ(made.status, 1);
     };
     shares("nothere", "is not there");
-    shares("/", "holds more than 20000 files and folders");
+    run("mkdir '" + at("many") + "' && cd '" + at("many") + "' && seq 20001 | xargs touch");
+    shares("many", "holds more than 20000 files and folders");
+    shares("/", "holds more than ");
     fs::create_directories(at("large"));
     folder.write("large/zeros", "");
     fs::resize_file(at("large/zeros"), std::uintmax_t{3} << 30);
     shares("large", "holds more than 2 GB");
+    // Where a folder cannot be opened, all others count all the same.
+    std::string deep = "deep";
+    for (int i = 0; i < 60; ++i) deep += "/1";
+    fs::create_directories(at(deep));
+    fs::rename(at("large/zeros"), at(deep + "/zeros"));
+    folder.write("r.toml", "shared = [\"objs\", \"deep\"]\n[[item]]\nno_errors = true\n");
+    fs::create_directories(at("objs"));
+    const Outcome few = run("cd '" + folder.path() + "' && ulimit -n 32 && " SNELL_BIN "/snell grade r.toml s -o out");
+    EXPECT_TRUE(few.says("r.toml:1:19: error: 'shared' names 'deep', which holds more than 2 GB")) << few.output;
     EXPECT_EQ(grade("nothere.toml s -o out").status, 1);
     EXPECT_EQ(grade("r.toml -o out").status, 2);
     EXPECT_EQ(grade("r.toml s").status, 2);
@@ -67,6 +78,7 @@ TEST_F(RubricMistakes, UniformsHaveKnownTypesAndRangesThatRise) {
     item("uniforms = { uKd = \"float 1..0\" }", 20, "the range begins at 1, above its end at 0");
     item("uniforms = { uKd = \"float nan..1\" }", 20, "'float nan..1' is not a type with a range");
     item("uniforms = { uKd = \"float 1\" }", 20, "'float 1' is not a type with a range");
+    item("uniforms = { uKd = \"0..1\" }", 20, "'0..1' is not a type with a range");
     item("uniforms = { uKd = 1 }", 20, "'uKd' is a type, with or without a range");
     item("uniforms = { uImage = \"sampler2D 0..1\" }", 23, "a sampler2D has no slider");
     item("uniforms = {}", 12, "'uniforms' is empty");

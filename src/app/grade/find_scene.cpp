@@ -8,6 +8,7 @@
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/app/grade/unpack.h"
+#include "src/content/walk.h"
 
 namespace snell::app {
 
@@ -20,7 +21,7 @@ constexpr std::size_t most_entries = 100'000;
 struct SceneFile {
     std::string path;
     bool preferred = false;
-    std::ptrdiff_t depth = 0;
+    int depth = 0;
 };
 
 bool passed_over(const fs::path& name) {
@@ -60,21 +61,21 @@ bool fits_pattern(std::string_view name, std::string_view pattern) {
 FoundScene find_scene(const std::string& folder, const std::string& pattern, const std::string& preferred) {
     FoundScene found;
     std::vector<SceneFile> scenes;
-    std::error_code error;
     std::size_t entries = 0;
-    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
-    for (; !error && entry != end && entries < most_entries; entry.increment(error), ++entries) {
-        const fs::path name = entry->path().filename();
-        const fs::file_status status = entry->symlink_status(error);
-        if (passed_over(name)) {
-            if (fs::is_directory(status)) entry.disable_recursion_pending();
-            continue;
-        }
-        if (!fs::is_regular_file(status)) continue;
-        const std::string path = entry->path().lexically_relative(folder).string();
-        if (is_archive(path)) found.archives.push_back(entry->path().string());
+    const std::error_code unread = content::walk(folder, [&](const fs::path& file, fs::file_status status, int depth) {
+        const fs::path name = file.filename();
+        if (++entries > most_entries) return content::Walk::end;
+        if (passed_over(name)) return content::Walk::past;
+        if (!fs::is_regular_file(status)) return content::Walk::on;
+        const std::string path = file.lexically_relative(folder).string();
+        if (is_archive(path)) found.archives.push_back(file.string());
         if (fits_pattern(name.string(), pattern.empty() ? "*.glib" : pattern))
-            scenes.push_back({path, same_word(name.string(), preferred), entry.depth()});
+            scenes.push_back({path, same_word(name.string(), preferred), depth});
+        return content::Walk::on;
+    });
+    if (unread) {
+        found.error = "it cannot be read: " + unread.message();
+        return found;
     }
     ranges::sort(found.archives);
     if (scenes.empty()) {

@@ -20,6 +20,7 @@
 #include "src/app/picture/sha256.h"
 #include "src/content/load_module.h"
 #include "src/content/regular_file.h"
+#include "src/content/walk.h"
 #include "src/content/whole_file.h"
 #include "src/document/document.h"
 #include "src/plan/locate.h"
@@ -114,9 +115,10 @@ void add_files(const fs::path& path, std::string& all) {
     std::error_code error;
     std::vector<std::string> files;
     if (!fs::is_directory(path, error)) files.push_back(path.string());
-    for (fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
-         !error && entry != end; entry.increment(error))
-        if (fs::is_regular_file(entry->symlink_status(error))) files.push_back(entry->path().string());
+    content::walk(path, [&files](const fs::path& entry, fs::file_status status, int) {
+        if (fs::is_regular_file(status)) files.push_back(entry.string());
+        return content::Walk::on;
+    });
     ranges::sort(files);
     for (const std::string& file : files) {
         std::string wrong;

@@ -7,6 +7,7 @@
 #include "parser/text/words.h"
 #include "src/app/grade/report/frame.h"
 #include "src/app/grade/report/report.h"
+#include "src/content/walk.h"
 #include "src/content/whole_file.h"
 #include "src/plan/locate.h"
 
@@ -65,9 +66,10 @@ std::set<std::uint64_t> handed_out(const Rubric& rubric) {
     std::vector<fs::path> files;
     for (const std::string& path : rubric.templates) {
         if (fs::is_regular_file(path, error)) files.emplace_back(path);
-        fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
-        for (; !error && entry != end; entry.increment(error))
-            if (entry->is_regular_file(error)) files.push_back(entry->path());
+        content::walk(path, [&files](const fs::path& entry, fs::file_status status, int) {
+            if (fs::is_regular_file(status)) files.push_back(entry);
+            return content::Walk::on;
+        });
     }
     for (const fs::path& file : files) {
         if (!is_shader_name(file.native())) continue;

@@ -155,7 +155,8 @@ private:
         needed.type = text.substr(0, blank);
         const auto range = blank < text.size() ? parse_range(text.substr(blank + 1)) : Range{};
         const auto types = gl::type_names();
-        if (value.kind != TomlKind::text || !range || (blank < text.size() && text.find("..") == text.npos))
+        if (value.kind != TomlKind::text || !range || parse_range(needed.type) ||
+            (blank < text.size() && text.find("..") == text.npos))
             wrong(value.span,
                   value.kind == TomlKind::text
                       ? fmt::format("'{}' is not a type with a range, such as \"float 0..1\"", text)

@@ -10,6 +10,7 @@
 #include "src/app/grade/rubric/items.h"
 #include "src/app/grade/rubric/table.h"
 #include "src/app/grade/rubric/toml.h"
+#include "src/content/walk.h"
 #include "src/content/whole_file.h"
 
 namespace snell::app {
@@ -37,14 +38,20 @@ std::string unusable(const std::string& path) {
     if (!fs::exists(path, error)) return "is not there";
     std::size_t entries = 0;
     std::uint64_t bytes = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
-    fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied, error), end;
-    for (; !error && entry != end && entries <= most_entries && bytes <= most_bytes; entry.increment(error)) {
-        ++entries;
-        std::error_code unknown_size;
-        if (!fs::is_regular_file(entry->symlink_status(unknown_size))) continue;
-        const std::uintmax_t size = entry->file_size(unknown_size);
-        if (!unknown_size) bytes += size;
-    }
+    const bool folder = fs::is_directory(path, error);
+    const std::error_code unread =
+        folder ? content::walk(path,
+                               [&](const fs::path& entry, fs::file_status status, int) {
+                                   ++entries;
+                                   std::error_code unknown_size;
+                                   const std::uintmax_t size =
+                                       fs::is_regular_file(status) ? fs::file_size(entry, unknown_size) : 0;
+                                   if (!unknown_size) bytes += size;
+                                   return entries <= most_entries && bytes <= most_bytes ? content::Walk::on
+                                                                                         : content::Walk::end;
+                               })
+               : error;
+    if (unread) return "cannot be read: " + unread.message();
     if (entries > most_entries) return fmt::format("holds more than {} files and folders", most_entries);
     return bytes > most_bytes ? "holds more than 2 GB" : "";
 }
@@ -106,10 +113,13 @@ private:
 
     std::vector<std::string> paths(Table& table, std::string_view name) {
         std::vector<std::string> found;
-        for (const std::string& path : table.texts(name)) {
-            found.push_back(absolute(path));
+        const std::vector<std::string> texts = table.texts(name);
+        const TomlValue* value = table.find(name);
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            found.push_back(absolute(texts[i]));
+            const Span span = value->list.size() == texts.size() ? value->list[i].span : value->span;
             if (const std::string why = unusable(found.back()); !why.empty())
-                wrong(table.find(name)->span, fmt::format("'{}' names '{}', which {}", name, path, why));
+                wrong(span, fmt::format("'{}' names '{}', which {}", name, texts[i], why));
         }
         return found;
     }
