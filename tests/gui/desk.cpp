@@ -90,19 +90,6 @@ std::string output_of(const std::vector<std::string>& words, const std::string& 
     return text;
 }
 
-// One of its threads does, or would if it had a processor.
-bool runs(pid_t process) {
-    std::error_code error;
-    for (const auto& thread :
-         std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task", error)) {
-        std::string stat;
-        std::getline(std::ifstream(thread.path() / "stat"), stat);
-        const std::size_t name_end = stat.rfind(") ");
-        if (name_end != stat.npos && (stat[name_end + 2] == 'R' || stat[name_end + 2] == 'D')) return true;
-    }
-    return false;
-}
-
 // Seconds that its threads have waited for a processor.
 double waited(pid_t process) {
     double nanoseconds = 0;
@@ -226,12 +213,12 @@ void Desk::open(const std::string& scene, std::vector<std::string> more) {
     ::close(errors);
     const bool pictured = !scene.empty() && !std::filesystem::is_directory(file(scene));
     const char* drawn = pictured ? "frames" : "presents";
-    ASSERT_TRUE(wait([&](const auto& s) { return s[drawn] >= 1; }, 20)) << "no first picture";
+    ASSERT_TRUE(wait([&](const auto& s) { return s[drawn] >= 1; }, 60)) << "no first picture";
     settle();
 }
 
 void Desk::end_window() {
-    sleep(.3);  // settings are written every tenth of a second
+    if (running()) settle();
     if (sanitized) close_window();
     end(window_);
     std::filesystem::remove(file("out/state.json"));
@@ -255,6 +242,12 @@ void Desk::limit_memory(std::size_t more) const {
     const rlim_t most = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + more;
     const rlimit limit{most, most};
     ASSERT_EQ(prlimit(window_, RLIMIT_AS, &limit, nullptr), 0);
+}
+
+bool Desk::running() const {
+    siginfo_t ended{};
+    return window_ > 0 && waitid(P_PID, static_cast<id_t>(window_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           ended.si_pid == 0;
 }
 
 bool Desk::alive() const { return window_ > 0 && waitpid(window_, nullptr, WNOHANG) == 0; }
@@ -281,27 +274,29 @@ bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double 
     }
 }
 
-// An event is on its way while the server or the window has something to do, however long it waits for a processor.
 void Desk::settle() const {
-    std::string last = bytes("out/state.json");
-    const auto begin = Clock::now();
-    const auto passed = [&](double seconds) {
-        return Clock::now() > begin + std::chrono::duration<double>(seconds * patience);
-    };
-    // Some are never quiet. Those show what was done in the next of their pictures.
-    const auto presents = [&] {
-        const nlohmann::json now = state();
-        return now.is_object() ? now.value("presents", -1) : -1;
-    };
-    const int first = presents();
-    for (int quiet = 0; quiet < 5 && !passed(2);) {
-        if (first >= 0 && passed(.4) && presents() > first + 20) break;
-        sleep(.01);
-        std::string now = bytes("out/state.json");
-        const bool sharp = now.find("\"grain\":0") != now.npos;
-        quiet = now == last && sharp && !runs(server_) && !runs(window_) ? quiet + 1 : 0;
-        last = std::move(now);
-    }
+    const std::string question = std::to_string(++questions_);
+    ASSERT_TRUE(tell_windows(display_, [&] {
+        const std::string target = file("out/state.json.ask");
+        std::ofstream(target + "~") << question << '\n';
+        std::filesystem::rename(target + "~", target);
+    }));
+    bool there = true;
+    EXPECT_TRUE(wait([&](const auto& s) { return s.value("answered", "") == question || !(there = running()); }, 60))
+        << "the window does not rest";
+    EXPECT_TRUE(there) << "the window is gone";
+}
+
+bool Desk::idle() const {
+    settle();
+    std::string last;
+    Clock::time_point since;
+    return wait([&](const auto&) {
+        const std::string now = bytes("out/state.json");
+        if (now != last) since = Clock::now();
+        last = now;
+        return Clock::now() > since + std::chrono::seconds(1);
+    });
 }
 
 void Desk::user(const std::string& words) const {
@@ -315,12 +310,13 @@ void Desk::user(const std::string& words) const {
 }
 
 std::array<int, 2> Desk::on(const std::string& widget, double fraction) const {
-    const nlohmann::json now = state();
-    if (!now["widgets"].contains(widget)) {
-        ADD_FAILURE() << "no widget " << widget;
-        return {0, 0};
-    }
-    const std::array<double, 4> rect = now["widgets"][widget];
+    std::array<double, 4> rect{};
+    const auto placed = [&](const nlohmann::json& s) {
+        if (!s["widgets"].contains(widget)) return false;
+        rect = s["widgets"][widget];
+        return true;
+    };
+    EXPECT_TRUE(wait(placed)) << "no widget " << widget;
     return {static_cast<int>(rect[0] + rect[2] * fraction), static_cast<int>(rect[1] + rect[3] / 2)};
 }
 
@@ -333,8 +329,6 @@ void Desk::click(const std::string& widget, double fraction, int button) const {
 
 void Desk::choose(const std::string& menu, const std::string& item) const {
     click("menu." + menu);
-    EXPECT_TRUE(wait([&](const auto& s) { return s["widgets"].contains(item); })) << item;
-    settle();
     click(item, .2);
     user("mousemove 2 2");  // or the tooltip of what lay beneath the menu stands in the picture a while later
 }

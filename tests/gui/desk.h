@@ -54,13 +54,17 @@ protected:
 
     nlohmann::json state() const;
     // False: not within that time.
-    bool wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds = 5) const;
-    // Until neither the window nor its display has anything to do; no longer than two seconds.
+    bool wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds = 30) const;
+    // Until the window has handled all input and all saved files, and shows what they lead to. What comes by itself
+    // later, as tooltips, measurements and programs for values, is waited for by what it changes.
     void settle() const;
+
+    // Waits until it has drawn nothing for a second, and its state is the same; false: it never does.
+    bool idle() const;
 
     // xdotool's words.
     void user(const std::string& words) const;
-    // The middle of a widget, or a fraction of its width.
+    // The middle of a widget, once it is there, or a fraction of its width.
     std::array<int, 2> on(const std::string& widget, double fraction = .5) const;
     void click(std::array<int, 2> at, int button = 1) const;
     void click(const std::string& widget, double fraction = .5, int button = 1) const;
@@ -82,10 +86,12 @@ protected:
 
 private:
     void close_window();
+    bool running() const;
 
     std::string screen_;
     Scratch folder_;
     pid_t server_ = 0, window_ = 0;
+    mutable int questions_ = 0;
 };
 
 }  // namespace snell::test

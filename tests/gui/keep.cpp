@@ -168,7 +168,7 @@ protected:
         click("save page save");
     }
     bool says(const std::string& text) {
-        return wait([&](const json& s) { return s["notice"].get<std::string>().find(text) == 0; }, 20);
+        return wait([&](const json& s) { return s["notice"].get<std::string>().find(text) == 0; });
     }
 };
 

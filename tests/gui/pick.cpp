@@ -92,7 +92,7 @@ TEST_F(PickWindow, AnObjectIsPickedMovedAndLetGo) {
     more.insert(more.find("Program Back"), "Color 0 0 0\n");
     more.insert(more.find("QuadXY"), "QuadXY 1. .01\n");
     save("scene.glib", more);
-    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }, 3));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
     settle();
     EXPECT_NE(std::string(state()["view"]["text"]).find("object2.x=1."), std::string::npos);
     EXPECT_EQ(pixel(.7, .2), red);

@@ -109,8 +109,7 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
     const std::string command = state()["notice"].get<std::string>().substr(8);
     EXPECT_NE(command.find("--frames 3 --fps 8"), std::string::npos) << command;
     click("picture save");
-    ASSERT_TRUE(
-        wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved 3 pictures", 0) == 0; }, 20))
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved 3 pictures", 0) == 0; }))
         << state()["notice"];
     std::array<Picture, 3> saved;
     for (std::size_t k = 0; k < 3; ++k) saved[k] = read_picture("f-000" + std::to_string(k) + ".png");
@@ -134,7 +133,7 @@ TEST_F(SavedPicture, ASequenceShowsOnePeriodOfAnAnimatedSlider) {
     click("uRed.animate", .1);
     user("key Escape");
     const json before = state();
-    ASSERT_TRUE(wait([&](const json& s) { return s["frames"] > before["frames"].get<int>() + 5; }, 2)) << "it moves";
+    ASSERT_TRUE(wait([&](const json& s) { return s["frames"] > before["frames"].get<int>() + 5; })) << "it moves";
     EXPECT_NE(state()["controls"]["Paint.uRed"], before["controls"]["Paint.uRed"]);
     user("key space");
     settle();
@@ -151,8 +150,7 @@ TEST_F(SavedPicture, ASequenceShowsOnePeriodOfAnAnimatedSlider) {
     type("picture file", file("f.png"), Field::text);
     type("picture rate", "4", Field::number);
     click("picture save");
-    ASSERT_TRUE(
-        wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved 8 pictures", 0) == 0; }, 20))
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved 8 pictures", 0) == 0; }))
         << state()["notice"];
     std::array<int, 8> reds{};
     for (std::size_t k = 0; k < 8; ++k) reds[k] = read_picture("f-000" + std::to_string(k) + ".png").at(20, 20).red;

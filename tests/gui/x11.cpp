@@ -77,7 +77,7 @@ private:
 
     // Hands the files over when asked for them.
     bool answer(const char* what) {
-        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(30);
         while (std::chrono::steady_clock::now() < until) {
             if (XPending(display_) == 0) {
                 usleep(2000);
@@ -123,32 +123,52 @@ bool drop_files(const std::string& display, const std::vector<std::string>& path
     return target != 0 && source.drop_on(target);
 }
 
+namespace {
+
+// Of the display; they may go at any time.
+std::vector<::Window> windows_of(Display* display) {
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+    ::Window root = 0, parent = 0, *children = nullptr;
+    unsigned count = 0;
+    if (!XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count)) return {};
+    const std::vector<::Window> windows(children, children + count);
+    if (children) XFree(children);
+    return windows;
+}
+
+}  // namespace
+
+bool tell_windows(const std::string& display, const std::function<void()>& tell) {
+    const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
+    if (!connection) return false;
+    const Atom told = XInternAtom(connection.get(), "SNELL_TOLD", False);
+    XSync(connection.get(), False);
+    tell();
+    for (const ::Window window : windows_of(connection.get()))
+        XChangeProperty(connection.get(), window, told, XA_INTEGER, 8, PropModeReplace, nullptr, 0);
+    XSync(connection.get(), False);
+    return true;
+}
+
 bool close_windows(const std::string& display) {
     const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
     if (!connection) return false;
-    // Windows may go while they are asked.
-    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
     const Atom close = XInternAtom(connection.get(), "WM_DELETE_WINDOW", False);
-    ::Window root = 0, parent = 0, *children = nullptr;
-    unsigned count = 0;
-    if (!XQueryTree(connection.get(), DefaultRootWindow(connection.get()), &root, &parent, &children, &count))
-        return false;
     bool found = false;
-    for (unsigned i = 0; i < count; ++i) {
+    for (const ::Window window : windows_of(connection.get())) {
         Atom* protocols = nullptr;
         int protocol_count = 0;
-        if (!XGetWMProtocols(connection.get(), children[i], &protocols, &protocol_count)) continue;
+        if (!XGetWMProtocols(connection.get(), window, &protocols, &protocol_count)) continue;
         XFree(protocols);
         XEvent event{};
         event.xclient.type = ClientMessage;
-        event.xclient.window = children[i];
+        event.xclient.window = window;
         event.xclient.message_type = XInternAtom(connection.get(), "WM_PROTOCOLS", False);
         event.xclient.format = 32;
         event.xclient.data.l[0] = static_cast<long>(close);
-        XSendEvent(connection.get(), children[i], False, NoEventMask, &event);
+        XSendEvent(connection.get(), window, False, NoEventMask, &event);
         found = true;
     }
-    XFree(children);
     XSync(connection.get(), False);
     return found;
 }

@@ -1,6 +1,7 @@
 // What other programs do on a display.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ bool drop_files(const std::string& display, const std::vector<std::string>& path
 
 // Asks the windows to close, as their close buttons do. False: there are none.
 bool close_windows(const std::string& display);
+
+// Calls `tell` when all windows were sent the input that the display has had, and then wakes them. False: no display.
+bool tell_windows(const std::string& display, const std::function<void()>& tell);
 
 // What desktops set for screens of many dots per inch, before windows are opened.
 bool set_dots_per_inch(const std::string& display, int dots);

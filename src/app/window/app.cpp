@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <utility>
 
 #include "parser/text/utf8.h"
@@ -17,6 +18,7 @@ constexpr double look_at_files = .1;    // seconds between looks
 constexpr double frame_time = 1. / 60;  // seconds; for animated scenes if the screen sets no pace
 constexpr double until_still = .5;      // seconds without input, after which programs are compiled for the values
 constexpr int until_equal = 3;          // frames: Dear ImGui answers some input, and measures messages, a frame late
+constexpr int until_seen = 10;  // frames: of a window that is never at rest, until it surely shows what was done
 constexpr PixelSize comfortable{1280, 800};
 
 PixelSize scaled(PixelSize size, double scale) {
@@ -59,7 +61,7 @@ void App::run(bool edited) {
     interface_.start();
     began_ = window_->now();
     while (!window_->closing() && !lost()) {
-        window_->wait(pause());
+        window_->wait(listen() ? 0 : pause());
         if (options_.exit_after > 0 && window_->now() - began_ > options_.exit_after) break;
         step();
     }
@@ -173,11 +175,29 @@ double App::pause() {
     return std::max(0.0, until - window_->now());
 }
 
+bool App::listen() {
+    if (options_.state_file.empty()) return false;
+    std::string question;
+    std::getline(std::ifstream(options_.state_file + ".ask"), question);
+    if (question == question_) return false;
+    question_ = std::move(question);
+    steps_ = 0;
+    return true;
+}
+
+bool App::answer() {
+    if (question_ == answered_ || !events_.empty() || !std::isinf(display_.sharp_due())) return false;
+    if (unsettled_ > 0 && ++steps_ < until_seen) return false;
+    answered_ = question_;
+    return true;
+}
+
 void App::settle(int frames) { unsettled_ = std::max(unsettled_, frames); }
 
 void App::step() {
     const double now = window_->now();
     save();
+    if (question_ != answered_) next_look_ = now;
     bool woken = look();
     window_->take_events(events_);
     for (const Event& event : events_)
@@ -187,6 +207,7 @@ void App::step() {
     if (now >= interface_.due()) settle(until_equal);
     woken |= now >= display_.sharp_due() || !events_.empty() || unsettled_ > 0 || interface_.fading() ||
              (moving() && now >= display_.last_picture() + frame_time);
+    if (answer() && !woken) write_state();
     if (!visible()) {
         unsettled_ = 0;  // everything is drawn again when the window comes back, which is an event
         return;
@@ -344,11 +365,15 @@ void App::show(bool repaint) {
         display_.present();
         presented_ = now;
     }
-    if (options_.state_file.empty()) return;
+    if (!options_.state_file.empty()) write_state();
+}
+
+void App::write_state() {
+    const ui::Memory& memory = interface_.memory();
     ui::Facts measured;
-    measuring_.tell(measured, document, memory);
-    write_window_state(options_.state_file, display_.counters(), workspace_, interface_.view(), interface_.layout(),
-                       memory, measured, pixels);
+    measuring_.tell(measured, workspace_.document(), memory);
+    write_window_state(options_.state_file, answered_, display_.counters(), workspace_, interface_.view(),
+                       interface_.layout(), memory, measured, window_->framebuffer());
 }
 
 bool App::draw_scene() {

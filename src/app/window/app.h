@@ -56,6 +56,11 @@ private:
     bool visible();
     // Seconds to sleep if there is no input.
     double pause();
+    // For tests, with a state file: takes the question from FILE.ask. Returns true if it is a new one.
+    bool listen();
+    // Returns true, and has the state name the question as answered, if all input and all saved files from before it
+    // are handled and seen.
+    bool answer();
     // Draws at least that many more frames, even without input.
     void settle(int frames);
     void step();
@@ -80,6 +85,7 @@ private:
     // Draws the scene if its picture would change, and presents the window if anything in it changed.
     void show(bool repaint);
     bool draw_scene();
+    void write_state();
 
     WindowOptions options_;
     std::unique_ptr<Window> window_;
@@ -102,6 +108,8 @@ private:
     double began_ = 0, next_look_ = 0;  // by the clock of the window
     double touched_ = 0;                // when there was input last
     std::string pictured_;              // the scene of which a picture was kept
+    std::string question_, answered_;   // see listen()
+    int steps_ = 0;                     // since the question, without rest
     bool specialised_ = false;          // nothing more can be compiled for the values as they are
 };
 

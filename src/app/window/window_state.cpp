@@ -113,10 +113,12 @@ json textures_of(const ui::TextureFacts& facts) {
 
 }  // namespace
 
-void write_window_state(const std::string& file, const WindowCounters& counters, Workspace& workspace, const View& view,
-                        const ui::Layout& layout, const ui::Memory& memory, const ui::Facts& measured, PixelSize size) {
+void write_window_state(const std::string& file, const std::string& answered, const WindowCounters& counters,
+                        Workspace& workspace, const View& view, const ui::Layout& layout, const ui::Memory& memory,
+                        const ui::Facts& measured, PixelSize size) {
     Session& session = workspace.session();
     json state{{"frames", counters.frames},
+               {"answered", answered},
                {"undo", workspace.past().steps()},
                {"presents", counters.presents},
                {"time", counters.time},

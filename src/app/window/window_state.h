@@ -11,8 +11,10 @@
 
 namespace snell {
 
-// Replaces the file as a whole, so that a reader never sees an incomplete one.
-void write_window_state(const std::string& file, const WindowCounters& counters, Workspace& workspace, const View& view,
-                        const ui::Layout& layout, const ui::Memory& memory, const ui::Facts& measured, PixelSize size);
+// Replaces the file as a whole, so that a reader never sees an incomplete one. `answered` is the last question, see
+// App.
+void write_window_state(const std::string& file, const std::string& answered, const WindowCounters& counters,
+                        Workspace& workspace, const View& view, const ui::Layout& layout, const ui::Memory& memory,
+                        const ui::Facts& measured, PixelSize size);
 
 }  // namespace snell

@@ -48,8 +48,8 @@ protected:
     void rename_to(const std::string& name) {
         save("paint.frag", fragment(name));
         save("one.glib", scene(name));
-        ASSERT_TRUE(wait(
-            [&](const nlohmann::json& s) { return s["controls"].contains("Paint." + name) && s["errors"] == 0; }, 20));
+        ASSERT_TRUE(
+            wait([&](const nlohmann::json& s) { return s["controls"].contains("Paint." + name) && s["errors"] == 0; }));
         settle();
     }
     void turn() const { drag({200, 300}, {260, 320}); }

@@ -201,7 +201,7 @@ TEST_F(Past, WhatWasSetWhileAShaderIsBrokenOutlivesALossAndIsSaved) {
     settle();
     EXPECT_EQ(red(), slid);
     save("paint.frag", fragment("uRed"));
-    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }, 20));
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }));
     settle();
     EXPECT_EQ(red(), slid);
     press("ctrl+z");

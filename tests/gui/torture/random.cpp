@@ -106,7 +106,7 @@ protected:
     void mend() {
         save("scene.glib", random_scene);
         save("paint.frag", random_fragment);
-        wait([](const json& s) { return s["errors"] == 0 && !s["stale"]; }, 10);
+        wait([](const json& s) { return s["errors"] == 0 && !s["stale"]; });
     }
     void resize() {
         user("search --onlyvisible --name snell windowsize " + std::to_string(300 + below(700)) + " " +

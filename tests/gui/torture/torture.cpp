@@ -102,7 +102,7 @@ TEST_F(Torture, NoBrokenEditTakesThePictureAway) {
         const std::vector<Pixel> picture = area(look(), before);
 
         save(name, damaged, k % 3 == 0);
-        ASSERT_TRUE(wait([&](const json& s) { return s["revision"] > before["revision"] && s["errors"] > 0; }, 20));
+        ASSERT_TRUE(wait([&](const json& s) { return s["revision"] > before["revision"] && s["errors"] > 0; }));
         settle();
         const json after = state();
         EXPECT_TRUE(after["stale"]);
@@ -121,8 +121,8 @@ TEST_F(Torture, NoBrokenEditTakesThePictureAway) {
 
         save("tint.glsl", tint(k));
         save(name, good_.at(name));
-        ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0 && s["stale"] == false; }, 20));
-        ASSERT_TRUE(wait([&](const json&) { return scene_pixel(20, 20).blue == blue(k); }, 20)) << "it goes on";
+        ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0 && s["stale"] == false; }));
+        ASSERT_TRUE(wait([&](const json&) { return scene_pixel(20, 20).blue == blue(k); })) << "it goes on";
         settle();
         EXPECT_EQ(state()["controls"]["Paint.uRed"][0], red);
         EXPECT_EQ(state()["gl_errors"], json::array());
