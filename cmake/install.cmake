@@ -26,8 +26,10 @@ install(CODE "
   file(CREATE_LINK ../../snell/scenes \"\${link}\" SYMBOLIC)
   list(APPEND CMAKE_INSTALL_MANIFEST_FILES \"\${CMAKE_INSTALL_PREFIX}/${page}/scenes\")")
 
-# Vim looks there; the extension for VS Code is there if `./dev editors` has built it.
-install(DIRECTORY docs/editors/vim/ DESTINATION ${CMAKE_INSTALL_DATADIR}/vim/vimfiles)
+# Vim and Neovim look there; the extension for VS Code is there if `./dev editors` has built it.
+foreach(folder vim/vimfiles nvim/site)
+  install(DIRECTORY docs/editors/vim/ DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder})
+endforeach()
 install(CODE "
   if(EXISTS \"${PROJECT_SOURCE_DIR}/build/editors/snell.vsix\")
     file(INSTALL \"${PROJECT_SOURCE_DIR}/build/editors/snell.vsix\" DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${data}/editors\")

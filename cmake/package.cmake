@@ -4,9 +4,20 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME snell)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_PACKAGE_DESCRIPTION "Students and teachers write scenes in the language of glman, drag sliders over uniforms of
-GLSL programs, and measure the error and cost of approximations of light.")
-set(CPACK_PACKAGE_CONTACT "The authors of snell <snell@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION "Students and teachers write scenes in the language of glman, drag sliders over
+uniforms of GLSL programs, and measure the error and cost of approximations of
+light.")
+# The maintainer of a package is whoever makes it: Debian's tools read these variables, too.
+set(name "The snell authors")
+set(address authors@snell.invalid)
+if(DEFINED ENV{DEBFULLNAME})
+  set(name "$ENV{DEBFULLNAME}")
+endif()
+if(DEFINED ENV{DEBEMAIL})
+  set(address "$ENV{DEBEMAIL}")
+endif()
+set(CPACK_PACKAGE_CONTACT "${name} <${address}>")
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian.cmake)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # package.sh PACKAGE.deb: installs the package in a minimal Debian 12, and there, as a user without rights: renders a scene,
-# makes a scene of the user's own, opens it in a window under Xvfb, grades a lesson, reads manual pages, and completes words.
+# makes a scene of the user's own, opens it in a window under Xvfb, grades a lesson, reads manual pages, completes words, and
+# opens a scene in Neovim. Before that, lintian finds no error in the package.
 # Mirrors, proxies and keys are those of this machine's apt.
 set -euo pipefail
 package=$(realpath "$1")
@@ -9,6 +10,7 @@ if [ -z "${SNELL_FRESH_NAMESPACE:-}" ]; then
   [ "$(id -u)" = 0 ] || as_root=(sudo -E)
   exec "${as_root[@]}" env SNELL_FRESH_NAMESPACE=1 unshare --mount --pid --fork --kill-child "$(realpath "$0")" "$package"
 fi
+lintian --allow-root --fail-on error "$package"
 work=$(mktemp -d)
 machine=$work/machine
 trap 'umount -lR "$machine"/{proc,dev,sys} 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
@@ -73,6 +75,9 @@ user 'source /usr/share/bash-completion/completions/snell
     _snell
     [ "${COMPREPLY[*]}" = uIndex= ] || { echo "$scene: ${COMPREPLY[*]}"; exit 1; }
   done'
+echo "== Neovim" >&2
+inside apt-get install -y -qq --no-install-recommends neovim >"$work/install.log" 2>&1
+user 'nvim --headless +"edit glass/glass.glib" +"set filetype?" +quit 2>&1 | grep -q filetype=glib'
 inside apt-get remove -y -qq snell >"$work/install.log" 2>&1
 ! inside ls /usr/lib/snell /usr/share/snell 2>/dev/null || { echo "files stay behind" >&2; exit 1; }
 echo "$(basename "$package") installs, renders, opens a window and is removed without a rest"

@@ -22,7 +22,7 @@ for file in bin/snell lib/snell/snell_oiio.so lib/snell/snell_archive.so lib/sne
   share/doc/snell/README.md share/doc/snell/CHANGELOG.md share/doc/snell/copyright share/doc/snell/docs/language.md \
   share/doc/snell/scenes/light/glass/glass.glib share/applications/snell.desktop share/man/man1/snell.1 share/man/man1/snell-render.1 \
   share/bash-completion/completions/snell share/zsh/vendor-completions/_snell share/fish/vendor_completions.d/snell.fish \
-  share/vim/vimfiles/syntax/glib.vim share/vim/vimfiles/compiler/snell.vim share/doc/snell/docs/editors/glib.tmLanguage.json \
+  share/vim/vimfiles/syntax/glib.vim share/vim/vimfiles/compiler/snell.vim share/nvim/site/ftdetect/glib.vim share/doc/snell/docs/editors/glib.tmLanguage.json \
   share/icons/hicolor/scalable/apps/snell.svg share/mime/packages/snell.xml; do
   [ -f "$work/first/$file" ] || fail "'$file' is not installed"
 done
@@ -54,6 +54,7 @@ mv "$work/elsewhere" "$work/moved/lib/snell"
 
 web=$work/moved/share/snell/web
 if [ ! -f "$web/page.html" ]; then # ./dev web has not built it: its form is enough for the program
+  ! "$snell" web a.glib -o a.html >log 2>&1 && grep -qF "there is no '$web/page.html'" log || fail "snell web: $(cat log)"
   mkdir -p "$web"
   echo '<title>snell</title><script type="application/json" id="scene">null</script><script type="text/plain" id="archive"></script>' >"$web/page.html"
 fi

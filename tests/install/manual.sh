@@ -27,7 +27,7 @@ if man -l "$manual/man1/snell.1" >/dev/null 2>&1; then
 else
   echo "man is not installed: the pages are not read"
 fi
-if command -v mandoc >/dev/null; then mandoc -T lint -W error "$manual"/man1/*.1; fi
+if command -v mandoc >/dev/null; then mandoc -T lint -W warning "$manual"/man1/*.1; fi
 
 # complete WORD...: what bash offers for the last word, where words are split as bash splits them.
 complete_bash() {

@@ -1,4 +1,4 @@
-// snell_manual FOLDER: writes manual pages and completions for shells into FOLDER.
+// snell_manual FOLDER DATE: writes manual pages, of that date, and completions for shells into FOLDER.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 int main(int argc, char** argv) {
     using namespace snell;
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: snell_manual FOLDER\n");
+    if (argc != 3) {
+        std::fprintf(stderr, "usage: snell_manual FOLDER DATE\n");
         return 2;
     }
     CLI::App program;
     app::Request request;
     app::describe(program, request);
     const std::vector<manual::Command> commands = manual::described(program);
-    std::vector<manual::File> files = manual::pages(commands, version());
+    std::vector<manual::File> files = manual::pages(commands, version(), argv[2]);
     files.push_back({"bash/snell", manual::bash(commands)});
     files.push_back({"zsh/_snell", manual::zsh(commands)});
     files.push_back({"fish/snell.fish", manual::fish(commands)});

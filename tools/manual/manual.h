@@ -48,7 +48,7 @@ struct Command {
 // The program itself, and every subcommand that users see.
 std::vector<Command> described(const CLI::App& program);
 
-std::vector<File> pages(const std::vector<Command>& commands, const std::string& version);
+std::vector<File> pages(const std::vector<Command>& commands, const std::string& version, const std::string& date);
 // The functions that a shell needs apart from the tables: "functions.bash" or "functions.zsh".
 std::string_view shell_functions(std::string_view path);
 

@@ -80,13 +80,14 @@ std::string notes(const std::string& text) {
     return out;
 }
 
-std::string page(const Command& command, const std::vector<Command>& all, const std::string& version) {
+std::string page(const Command& command, const std::vector<Command>& all, const std::string& version,
+                 const std::string& date) {
     const bool program = command.name.empty();
     const std::string name = program ? "snell" : "snell-" + command.name;
     std::string title = name;
     for (char& c : title) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    std::string out = ".TH \"" + title + "\" 1 \"\" \"snell " + version + "\" \"User Commands\"\n.SH NAME\n" +
-                      roff(name) + " \\- " +
+    std::string out = ".TH \"" + title + "\" 1 \"" + date + "\" \"snell " + version +
+                      "\" \"User Commands\"\n.SH NAME\n" + roff(name) + " \\- " +
                       roff(program ? "run .glib scenes: GLSL programs with sliders" : command.doc) +
                       "\n.SH SYNOPSIS\n.B " + roff(command.synopsis) + "\n";
     if (program) {
@@ -117,11 +118,11 @@ std::string page(const Command& command, const std::vector<Command>& all, const 
 
 }  // namespace
 
-std::vector<File> pages(const std::vector<Command>& commands, const std::string& version) {
+std::vector<File> pages(const std::vector<Command>& commands, const std::string& version, const std::string& date) {
     std::vector<File> out;
     for (const Command& command : commands)
         out.push_back({"man1/" + (command.name.empty() ? std::string("snell") : "snell-" + command.name) + ".1",
-                       page(command, commands, version)});
+                       page(command, commands, version, date)});
     return out;
 }
 

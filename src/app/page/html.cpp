@@ -37,15 +37,15 @@ constexpr std::string_view runtime_begin = R"(<script type="text/plain" id="runt
 std::string web_file(const std::string& name, std::string& error) {
     std::error_code none;
     const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
-    std::vector<fs::path> folders{program / "../share/snell/web", program / "../../web"};
-    if (const char* own = std::getenv("SNELL_WEB"); own && *own) folders = {own};
-    for (const fs::path& folder : folders)
-        if (const fs::path file = (folder / name).lexically_normal(); fs::is_regular_file(file, none))
-            return content::whole_file(file.string());
+    const bool installed = !fs::exists(program / "../CMakeCache.txt", none);
+    fs::path folder = program / (installed ? "../share/snell/web" : "../../web");
+    if (const char* own = std::getenv("SNELL_WEB"); own && *own) folder = own;
+    const fs::path file = (folder / name).lexically_normal();
+    if (fs::is_regular_file(file, none)) return content::whole_file(file.string());
     error = fmt::format(
         "the browser's part of snell is not there: there is no '{}'\n   help: './dev web' in the folder of snell's "
         "sources builds it, before snell is installed",
-        utf8::printable((folders.back() / name).lexically_normal().string()));
+        utf8::printable(file.string()));
     return {};
 }
 
