@@ -16,7 +16,7 @@
 namespace snell::accuracy {
 
 struct RungResult {
-    std::string name;
+    std::string name;  // for people
     std::vector<std::size_t> steps;
     bool drawn = false;  // if false, it was not drawn, and the members below have no values
     Picture picture;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace snell::test {
@@ -37,7 +38,9 @@ TEST(Report, OtherLaddersAreNotAsInALattice) {
         const Report report{.where = {.from = from}, .sweeps = {sweep_of_two_rungs()}};
         const std::string words =
             std::string("ther ladders are as in the ") + (from == std::string("scene") ? "scene" : "reference");
-        EXPECT_NE(header_text(report).find(words), std::string::npos) << header_text(report);
+        std::string header = header_text(report);
+        std::replace(header.begin(), header.end(), '\n', ' ');
+        EXPECT_NE(header.find(words), std::string::npos) << header;
         for (const std::string& text : {html_text(report), markdown_text(report, {})})
             EXPECT_EQ(text.find("as in the lattice"), std::string::npos);
     }

@@ -1,6 +1,8 @@
 #include "src/accuracy/found/change.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 
 #include "parser/text/ranges.h"
@@ -81,8 +83,7 @@ std::map<std::string, std::string> changed_texts(std::span<const Change* const> 
     return texts;
 }
 
-std::string excerpt(std::string_view text) {
-    constexpr std::size_t most = 60;
+std::string excerpt(std::string_view text, std::size_t most) {
     std::string line;
     for (const char c : text) {
         const bool blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
@@ -98,6 +99,140 @@ std::string excerpt(std::string_view text) {
     while (head > 0 && inside(head)) --head;
     while (tail < line.size() && inside(tail)) ++tail;
     return line.substr(0, head) + "…" + line.substr(tail);
+}
+
+namespace {
+
+constexpr std::size_t most_words = 28;
+
+std::string short_text(std::string_view text) { return excerpt(text, most_words); }
+
+bool part_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+std::string first_name(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size() && (!part_of_name(text[at]) || std::isdigit(static_cast<unsigned char>(text[at])) != 0))
+        ++at;
+    std::size_t end = at;
+    while (end < text.size() && part_of_name(text[end])) ++end;
+    return std::string(text.substr(at, end - at));
+}
+
+std::vector<std::string> words_in(std::string_view text) {
+    std::vector<std::string> all;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" ;", at), text.size());
+        if (end > at) all.emplace_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return all;
+}
+
+// The numbers that a statement has after the change and not before: "18 × 12", "18" for two that are equal.
+std::string new_numbers(const Change& change, bool each) {
+    const std::vector<std::string> before = words_in(change.before), after = words_in(change.after);
+    std::vector<std::string> numbers;
+    for (std::size_t i = 0; i < after.size(); ++i)
+        if (after[i].find_first_not_of("0123456789") == std::string::npos &&
+            (i >= before.size() || before[i] != after[i]))
+            numbers.push_back(after[i]);
+    if (!each && ranges::all_of(numbers, [&](const std::string& n) { return n == numbers.front(); }))
+        numbers.resize(std::min<std::size_t>(numbers.size(), 1));
+    std::string text;
+    for (const std::string& number : numbers) text += (text.empty() ? "" : " × ") + number;
+    return text;
+}
+
+// What a text loses between its beginning and its end; empty if it loses nothing alone.
+std::string lost(std::string_view before, std::string_view after) {
+    std::size_t head = 0, tail = 0;
+    while (head < after.size() && head < before.size() && before[head] == after[head]) ++head;
+    while (tail < after.size() - head && before[before.size() - 1 - tail] == after[after.size() - 1 - tail]) ++tail;
+    if (head + tail < after.size() || head + tail >= before.size()) return {};
+    std::string_view gone = before.substr(head, before.size() - tail - head);
+    constexpr std::string_view around = " +-*;";
+    gone.remove_prefix(std::min(gone.find_first_not_of(around), gone.size()));
+    gone.remove_suffix(gone.size() - std::min(gone.find_last_not_of(around) + 1, gone.size()));
+    return std::string(gone);
+}
+
+// The condition of a loop's header, or the number that is changed.
+std::string bound_words(std::string_view after) {
+    constexpr std::string_view define = "#define ";
+    if (after.starts_with(define)) return short_text(after.substr(define.size()));
+    if (const std::size_t first = after.find(';'); after.starts_with("for") && first != after.npos)
+        after = after.substr(first + 1, std::min(after.find(';', first + 1), after.size()) - first - 1);
+    const std::string text = short_text(after);
+    return text.find_first_of("<>") == text.npos ? text : "loop to " + text;
+}
+
+// "uRoom" of "texture( uRoom, look )".
+std::string looked_up(std::string_view call) { return first_name(call.substr(std::min(call.find('('), call.size()))); }
+
+// Functions by name, other expressions as they are.
+std::string expression_words(std::string_view text) {
+    const std::string name = first_name(text);
+    const bool call = !name.empty() && text.starts_with(name) && text.substr(name.size()).starts_with('(') &&
+                      text.find(')') == text.size() - 1;
+    return call ? name : short_text(text);
+}
+
+}  // namespace
+
+std::string words(const Change& change) {
+    const std::string_view before = change.before, after = change.after;
+    const std::string kind(facts(change.kind).name);
+    switch (change.kind) {
+        case ChangeKind::fewer_slices:
+        case ChangeKind::more_slices:
+            return new_numbers(change, false) + (before.starts_with("QuadBox") ? " quads" : " slices");
+        case ChangeKind::fewer_cells:
+        case ChangeKind::finer_cells:
+            return new_numbers(change, true) + " cells";
+        case ChangeKind::fewer_texels:
+            return new_numbers(change, false) + " texels";
+        case ChangeKind::smaller_noise:
+            return "noise of " + new_numbers(change, false);
+        case ChangeKind::less_filtered:
+        case ChangeKind::filtered:
+            return words_in(after).empty() ? kind : words_in(after).back();
+        case ChangeKind::culled:
+            return before.empty() ? "solids culled" : first_name(before) + " culled";
+        case ChangeKind::fewer_rounds:
+        case ChangeKind::more_rounds:
+            return bound_words(after);
+        case ChangeKind::without_term:
+            if (const std::string gone = lost(before, after); !gone.empty()) return "without " + short_text(gone);
+            return "only " + short_text(after);
+        case ChangeKind::lookup_mean:
+            return looked_up(before) + " as its mean";
+        case ChangeKind::lookup_coarser:
+            return looked_up(before) +
+                   (change.edits.empty() || change.edits[0].text != ", 2." ? " coarser" : " much coarser");
+        case ChangeKind::expression_mean:
+            return expression_words(before) + " as its mean";
+        case ChangeKind::polynomial:
+            return "polynomial for " + expression_words(before);
+        case ChangeKind::per_vertex:
+            return expression_words(before) + " per vertex";
+        case ChangeKind::per_frame:
+            return expression_words(before) + " per frame";
+        case ChangeKind::unit_length:
+            return short_text(after);
+        case ChangeKind::lint_fix:
+            return change.lint.empty() ? short_text(after) : change.lint;
+        case ChangeKind::no_uniform:
+            return "without " + first_name(before);
+        case ChangeKind::no_draw:
+        case ChangeKind::no_texture:
+        case ChangeKind::no_statement:
+            return "without " + short_text(before);
+        default: {
+            std::string name = kind;
+            std::replace(name.begin(), name.end(), '-', ' ');
+            return name;
+        }
+    }
 }
 
 }  // namespace snell::accuracy

@@ -92,9 +92,13 @@ bool compatible(const Change& a, const Change& b);
 // The changes must be compatible.
 std::map<std::string, std::string> changed_texts(std::span<const Change* const> changes, const Sources& sources);
 
-// An excerpt for Change::before and after: one line, blanks folded, cut in the middle if it is longer than 60
-// characters.
-std::string excerpt(std::string_view text);
+// An excerpt for Change::before and after: one line, blanks folded, cut in the middle if it is longer than `most`
+// bytes.
+std::string excerpt(std::string_view text, std::size_t most = 60);
+
+// What a rung with the change is called: a few words, such as "8 slices" or "uRoom as its mean". Two changes may have
+// the same.
+std::string words(const Change& change);
 
 // All changes that make sense for the scene, in a fixed order: by file (the scene first), place, and kind. Their
 // positions in this list are the rungs' names, from 1, in every run. `sources` gets the texts of included shaders.

@@ -68,6 +68,22 @@ std::vector<const FoundRung*> FoundResult::without_effect() const {
     return found;
 }
 
+std::string FoundResult::words(std::span<const std::size_t> of) const {
+    const auto place = [&](std::size_t i) { return i < positions.size() ? near_place(positions[i]) : std::string(); };
+    std::string text;
+    for (const std::size_t i : of) {
+        const std::string own = accuracy::words(changes[i]);
+        bool alike = false, there = false;  // at another place, at the same place
+        for (std::size_t other = 0; other < changes.size(); ++other) {
+            if (other == i || accuracy::words(changes[other]) != own) continue;
+            (place(other) == place(i) ? there : alike) = true;
+        }
+        text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", own, alike ? fmt::format(" at {}", place(i)) : "",
+                            there ? fmt::format(", no. {}", i + 1) : "");
+    }
+    return text;
+}
+
 void FoundResult::refuse_all(const std::string& reason) {
     cannot_say = reason;
     for (FoundRung& rung : rungs) {
@@ -122,6 +138,11 @@ FoundResult search(const Original& original, const gl::Caps& caps, const BenchSe
     while (search.step()) {
     }
     return search.take();
+}
+
+std::string near_place(std::string_view position) {
+    const std::size_t name = position.find_last_of('/') + 1;
+    return std::string(position.substr(name, std::max(position.rfind(':'), name) - name));
 }
 
 std::string rung_name(std::span<const std::size_t> changes) {

@@ -104,6 +104,9 @@ struct FoundResult {
     const RungResult* times(const FoundRung& rung) const;
     const SweepResult& sweep_of(const FoundRung& rung) const { return rung.aim == Aim::cheaper ? timed : costs; }
     const FoundRung* find(std::string_view name) const;
+    // What a rung is called: the words of its changes, with the places of those that are called alike.
+    std::string words(std::span<const std::size_t> of) const;
+    std::string words(const FoundRung& rung) const { return words(rung.changes); }
     // Every rung is refused for this reason: cannot_say.
     void refuse_all(const std::string& reason);
     // What is broken, in words, with the place unless it is the scene's own.
@@ -168,5 +171,7 @@ FoundResult search(const Original& original, const gl::Caps& caps, const BenchSe
 std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::span<const Change> changes,
                                                    std::string& wrong);
 std::string rung_name(std::span<const std::size_t> changes);
+// "mirror.glib:21" of one of FoundResult::positions.
+std::string near_place(std::string_view position);
 
 }  // namespace snell::accuracy

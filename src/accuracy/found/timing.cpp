@@ -62,7 +62,8 @@ void Search::Impl::begin_rounds(SweepResult& sweep, const std::vector<std::size_
         soon([this, &sweep, i = *i] {
             result.rungs[i].timed = sweep.rungs.size();
             sweep.rungs.push_back(trials->summary(result.rungs[i], finalists.at(i)));
-            sweep.sweep.rungs.push_back({.name = result.rungs[i].name, .variant = {}, .steps = {}, .elsewhere = {}});
+            sweep.rungs.back().name = result.words(result.rungs[i]);
+            sweep.sweep.rungs.push_back({.name = sweep.rungs.back().name, .variant = {}, .steps = {}, .elsewhere = {}});
         });
 }
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
+#include "src/content/table.h"
 
 namespace snell::accuracy {
 
@@ -25,14 +25,7 @@ std::string of_changes(const FoundResult& found, const FoundRung& rung, std::str
 }
 
 std::string shown_error(const FoundRung& rung) {
-    return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.light.rmse);
-}
-std::string shown_display(const FoundRung& rung) {
-    return rung.at.empty() ? "?" : known_text("{:.2g}", rung.worst()->own.display.rmse);
-}
-// At the scene's own place: what is seen as the scene opens.
-std::string shown_error_here(const FoundRung& rung) {
-    return rung.at.empty() ? "?" : known_text("{:.2g}", rung.at.front().own.light.rmse);
+    return rung.at.empty() ? "" : known_text("{:.2g}", rung.worst()->own.light.rmse);
 }
 std::string shown_flip_here(const FoundRung& rung) {
     return rung.at.empty() || !rung.at.front().flip ? "" : fmt::format("{:.4f}", *rung.at.front().flip);
@@ -59,27 +52,27 @@ std::string shown_cost(const FoundResult& found, const FoundRung& rung) {
     return costs.empty() ? "its time was not measured" : costs;
 }
 
-// Those that were timed first, the cheapest on top, then the others by their numbers. `all`: also those that were
-// neither timed nor save anything.
-Listed listed(const FoundResult& found, Aim aim, bool all) {
+void sort_by_time(const FoundResult& found, Listed& rungs) {
+    ranges::stable_sort(rungs, {}, [&](const FoundRung* rung) {
+        const RungResult* times = found.times(*rung);
+        return times ? times->ratio.middle : std::numeric_limits<double>::infinity();
+    });
+}
+
+// The cheaper ones that may be worth it: those that were timed, the cheapest on top, then their parts.
+Listed listed(const FoundResult& found) {
     Listed rungs;
     for (const FoundRung& rung : found.rungs)
-        if (rung.aim == aim &&
-            (all || rung.timed || (rung.outcome == Outcome::tried && rung.only_where_tried) ||
-             (aim == Aim::better && rung.outcome == Outcome::tried)) &&
-            (all || aim == Aim::cheaper || rung.pixels_changed > 0))
+        if (rung.aim == Aim::cheaper && rung.outcome == Outcome::tried && !plainly_visible(rung) &&
+            (rung.timed || rung.only_where_tried))
             rungs.push_back(&rung);
-    // "3+7" says nothing to someone who can't see what 3 and 7 are.
     for (const FoundRung& rung : found.rungs)
         if (rung.changes.size() == 1 && ranges::find(rungs, &rung) == rungs.end() &&
             ranges::any_of(rungs, [&](const FoundRung* of) {
                 return ranges::find(of->changes, rung.changes[0]) != of->changes.end();
             }))
             rungs.push_back(&rung);
-    ranges::stable_sort(rungs, {}, [&](const FoundRung* rung) {
-        const RungResult* times = found.times(*rung);
-        return times ? times->ratio.middle : std::numeric_limits<double>::infinity();
-    });
+    sort_by_time(found, rungs);
     return rungs;
 }
 
@@ -111,75 +104,87 @@ std::string size_of_times(const FoundResult& found, std::array<int, 2> size) {
                        size[0] < found.width ? ", because larger ones take too long for the budget" : "");
 }
 
-std::string rows_text(const FoundResult& found, const Listed& rungs) {
-    std::size_t name = 4, place = 5;
-    for (const FoundRung* rung : rungs) {
-        name = std::max(name, rung->name.size());
-        if (rung->changes.size() == 1) place = std::max(place, place_of(found, *rung).size());
-    }
-    std::string text =
-        fmt::format("  {:<{}}  {:>20}  {:>16}  {:>26}\n", "", name, "", "as it opens", "at the worst place");
-    text += fmt::format("  {:<{}}  {:>20}  {:>8}  {:>6}  {:>8}  {:>8}  {:>6}  {:<{}}  {}\n", "rung", name, "time",
-                        "RMSE", "FLIP", "RMSE", "display", "FLIP", "place", place, "change");
-    for (const FoundRung* rung : rungs) {
-        const bool one = rung->changes.size() == 1;
-        const std::string standing = standing_of(found, *rung);
-        text +=
-            fmt::format("  {:<{}}  {:>20}  {:>8}  {:>6}  {:>8}  {:>8}  {:>6}  {:<{}}  {}{}{}\n", rung->name, name,
-                        shown_ratio(found, *rung), shown_error_here(*rung), shown_flip_here(*rung), shown_error(*rung),
-                        shown_display(*rung), shown_flip(*rung), one ? utf8::printable(place_of(found, *rung)) : "",
-                        place, kind_of(found, *rung), one ? ": " + utf8::printable(change_of(found, *rung)) : "",
-                        standing.empty() ? "" : " (" + standing + ")");
-    }
-    return text;
+struct FoundRow {
+    const FoundResult* found;
+    const FoundRung* rung;
+};
+
+using content::CellKind;
+constexpr content::TableColumn<FoundRow> found_columns[]{
+    {"rung", CellKind::words,
+     [](const FoundRow& r) { return fmt::format("{} ({})", r.found->words(*r.rung), r.rung->name); }},
+    {"change", CellKind::code,
+     [](const FoundRow& r) {
+         return r.rung->changes.size() > 1
+                    ? std::string()
+                    : fmt::format("{}: {}", near_place(place_of(*r.found, *r.rung)), change_of(*r.found, *r.rung));
+     }},
+    {"time", CellKind::number,
+     [](const FoundRow& r) { return r.rung->aim == Aim::unused ? std::string() : shown_ratio(*r.found, *r.rung); }},
+    {"FLIP as it opens", CellKind::number, [](const FoundRow& r) { return shown_flip_here(*r.rung); }},
+    {"FLIP at worst", CellKind::number, [](const FoundRow& r) { return shown_flip(*r.rung); }},
+    {"RMSE at worst", CellKind::number, [](const FoundRow& r) { return shown_error(*r.rung); }},
+    {"remarks", CellKind::words,
+     [](const FoundRow& r) {
+         const bool idle = r.rung->aim == Aim::unused && r.rung->outcome == Outcome::tried;
+         return idle ? shown_cost(*r.found, *r.rung) : standing_of(*r.found, *r.rung);
+     }},
+};
+
+content::Table table_of(const FoundResult& found, const Listed& rungs) {
+    std::vector<FoundRow> rows;
+    for (const FoundRung* rung : rungs) rows.push_back({&found, rung});
+    return std::move(content::table_of(found_columns, rows).without_empty());
 }
 
-std::string cells_html(const FoundResult& found, const FoundRung& rung) {
-    const std::string place = rung.changes.size() == 1 ? place_of(found, rung) : "";
-    return fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td "
-        "style=\"text-align:left\">{}</td><td "
-        "style=\"text-align:left\">{}</td><td>{}</td></tr>",
-        rung.name, shown_ratio(found, rung), shown_error_here(rung), shown_flip_here(rung), shown_error(rung),
-        shown_display(rung), shown_flip(rung), rung.pixels_changed, escaped(place),
-        escaped(kind_of(found, rung) + (place.empty() ? "" : ": " + change_of(found, rung))),
-        escaped(standing_of(found, rung)));
-}
+// The tables of a report, each with its heading. Those that are folded are for someone who looks for them.
+struct Part {
+    std::string heading;
+    Listed rungs;
+    bool folded = false;
+};
 
-std::string table_html(const FoundResult& found, const Listed& rungs) {
-    std::string text =
-        "<div class=\"scroll\"><table><tr><th></th><th></th><th colspan=\"2\">as the scene opens</th><th colspan=\"3\">"
-        "at the worst view and values</th><th></th><th></th><th></th><th></th></tr><tr><th>rung</th><th>time</th>"
-        "<th>RMSE</th><th>FLIP</th><th>RMSE</th><th>RMSE of "
-        "display</th><th>FLIP</th><th>pixels</th><th>place</th><th>change</th><th></th></tr>";
-    for (const FoundRung* rung : rungs) text += cells_html(found, *rung);
-    return text + "</table></div>";
-}
-
-// A bar would begin the next cell, even in code.
-std::string cell_markdown(std::string_view text) {
-    std::string cell = escaped(text);
-    for (std::size_t at = 0; (at = cell.find('|', at)) != cell.npos;) cell.replace(at, 1, "&#124;");
-    return cell;
-}
-
-std::string table_markdown(const FoundResult& found, const Listed& rungs) {
-    std::string text =
-        "\n| rung | time | RMSE, as it opens | FLIP | RMSE, at worst | of display | FLIP | place | change | "
-        "|\n|---|--:|--:|--:|--:|--:|--:|---|---|---|\n";
-    for (const FoundRung* rung : rungs) {
-        const bool one = rung->changes.size() == 1;
-        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {}{} | {} |\n", rung->name,
-                            shown_ratio(found, *rung), shown_error_here(*rung), shown_flip_here(*rung),
-                            shown_error(*rung), shown_display(*rung), shown_flip(*rung),
-                            one ? cell_markdown(place_of(found, *rung)) : "", kind_of(found, *rung),
-                            one ? ": <code>" + cell_markdown(change_of(found, *rung)) + "</code>" : "",
-                            cell_markdown(standing_of(found, *rung)));
-    }
-    return text;
+std::vector<Part> parts_of(const FoundResult& found) {
+    const auto those = [&](const auto& which) {
+        Listed rungs;
+        for (const FoundRung& rung : found.rungs)
+            if (which(rung)) rungs.push_back(&rung);
+        sort_by_time(found, rungs);
+        return rungs;
+    };
+    const auto cheaper = [](const FoundRung& rung) {
+        return rung.aim == Aim::cheaper && rung.outcome == Outcome::tried;
+    };
+    const Listed offered = listed(found);
+    const auto rest = [&](const FoundRung& rung) {
+        return cheaper(rung) && !plainly_visible(rung) && ranges::find(offered, &rung) == offered.end();
+    };
+    std::vector<Part> parts{
+        {std::string(invisible), found.without_effect()},
+        {"Cheaper", offered},
+        {std::string(lacking), those([](const FoundRung& rung) {
+             return rung.aim == Aim::better && rung.outcome == Outcome::tried && rung.pixels_changed > 0;
+         })},
+        {fmt::format("plainly visible, with a mean FLIP above {:g}", most_flip),
+         those([&](const FoundRung& rung) { return cheaper(rung) && plainly_visible(rung); }), true},
+        {"saved no time, or were not timed", those(rest), true},
+        {"refused", those([](const FoundRung& rung) { return rung.outcome == Outcome::refused; }), true},
+        {"not tried", those([](const FoundRung& rung) { return rung.outcome == Outcome::not_tried; }), true},
+    };
+    for (Part& part : parts)
+        if (part.folded)
+            part.heading =
+                fmt::format("{} {} {}", part.rungs.size(), part.rungs.size() == 1 ? "rung" : "rungs", part.heading);
+    parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return part.rungs.empty(); }),
+                parts.end());
+    return parts;
 }
 
 }  // namespace
+
+bool plainly_visible(const SweepResult& sweep, std::size_t rung) {
+    return sweep.sweep.kind == SweepKind::found && rung != sweep.sweep.current && sweep.rungs[rung].flip > most_flip;
+}
 
 std::string place_of(const FoundResult& found, const FoundRung& rung) {
     return of_changes(found, rung, " ", [&](const Change&, std::size_t i) { return found.positions[i]; });
@@ -281,6 +286,7 @@ SweepResult as_sweep(const FoundResult& found, Aim aim) {
         if (rung.aim != aim) continue;
         const RungResult* times = found.times(rung);
         RungResult shown = times ? *times : RungResult{.name = rung.name};
+        shown.name = rung.name;
         shown.drawn = !rung.at.empty();
         if (shown.drawn) {
             shown.own = rung.worst()->own;
@@ -296,62 +302,45 @@ SweepResult as_sweep(const FoundResult& found, Aim aim) {
 
 std::string found_text(const FoundResult& found) {
     if (found.changes.empty()) return "\nfound rungs: there is nothing in this scene that could be changed\n";
-    std::string text = fmt::format("\nfound rungs\n  {}\n", found_words(found));
+    std::string text = "\nfound rungs\n" + content::paragraph(found_words(found), 2), folded;
     if (!found.cannot_say.empty()) return text;
-    if (const Listed none = found.without_effect(); !none.empty()) {
-        text += fmt::format("{}\n", invisible);
-        for (const FoundRung* rung : none)
-            text += fmt::format("  {:<4}  {}: {}: changes 0 pixels, {}\n", rung->name,
-                                utf8::printable(place_of(found, *rung)), utf8::printable(change_of(found, *rung)),
-                                shown_cost(found, *rung));
-    }
-    if (const Listed rungs = listed(found, Aim::cheaper, false); !rungs.empty())
-        text += "Cheaper\n" + rows_text(found, rungs);
-    else
-        text += fmt::format("  {}\n", no_cheaper_words(found));
-    if (const Listed rungs = listed(found, Aim::better, false); !rungs.empty())
-        text += fmt::format("{}\n", lacking) + rows_text(found, rungs);
+    const std::vector<Part> parts = parts_of(found);
+    if (ranges::none_of(parts, [](const Part& part) { return part.heading == "Cheaper"; }))
+        text += content::paragraph(no_cheaper_words(found), 2);
+    for (const Part& part : parts)
+        if (part.folded)
+            folded += (folded.empty() ? "" : "; ") + part.heading;
+        else
+            text += fmt::format("{}\n{}", part.heading, content::table_text(table_of(found, part.rungs)));
+    if (!folded.empty()) text += content::paragraph("Not shown, but in the report: " + folded + ".", 2);
     if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)
         text += fmt::format("  control: {}, {}\n", ratio_text(found.timed.control.ratio), name(found.timed.clock));
     return text;
 }
 
 std::string found_markdown(const FoundResult& found, const std::string& plot) {
-    std::string text = fmt::format("\n## {}: found rungs\n\n{}\n", escaped(found.scene), found_words(found));
-    if (const Listed none = found.without_effect(); !none.empty()) {
-        text += fmt::format("\n{}:\n\n", invisible);
-        for (const FoundRung* rung : none)
-            text += fmt::format("- {}: {}: <code>{}</code> changes 0 pixels, {}\n", rung->name,
-                                escaped(place_of(found, *rung)), escaped(change_of(found, *rung)),
-                                shown_cost(found, *rung));
-    }
+    std::string text = fmt::format("\n## {}: found rungs\n\n{}\n", content::escaped(found.scene), found_words(found));
     if (!plot.empty()) text += fmt::format("\n![found rungs: error over time]({})\n", plot);
-    text += table_markdown(found, listed(found, Aim::cheaper, true));
-    if (const Listed better = listed(found, Aim::better, true); !better.empty())
-        text += fmt::format("\n{}:\n", lacking) + table_markdown(found, better);
+    for (const Part& part : parts_of(found))
+        text += fmt::format("\n{}:\n\n{}", part.heading, content::table_markdown(table_of(found, part.rungs)));
     return text;
 }
 
 std::string found_html(const FoundResult& found) {
     std::string text =
-        fmt::format("<section><h2>Found rungs</h2><p class=\"words\">{}</p>", escaped(found_words(found)));
-    if (const Listed none = found.without_effect(); !none.empty()) {
-        text += fmt::format("<h3>{}</h3><ul>", invisible);
-        for (const FoundRung* rung : none)
-            text += fmt::format("<li>{}: {}: <code>{}</code> changes 0 pixels, {}</li>", rung->name,
-                                escaped(place_of(found, *rung)), escaped(change_of(found, *rung)),
-                                shown_cost(found, *rung));
-        text += "</ul>";
-    }
+        fmt::format("<section><h2>Found rungs</h2><p class=\"words\">{}</p>", content::escaped(found_words(found)));
     if (found.timed.rungs.size() > 1 && found.timed.rungs.back().rounds > 0)
         text += "<div class=\"scroll\">" + plot_svg(found.timed) + "</div>";
-    text += table_html(found, listed(found, Aim::cheaper, true));
-    if (const Listed better = listed(found, Aim::better, true); !better.empty())
-        text += fmt::format("<h3>{}</h3>", lacking) + table_html(found, better);
+    for (const Part& part : parts_of(found)) {
+        const std::string table = content::table_html(table_of(found, part.rungs));
+        const std::string heading = content::escaped(part.heading);
+        text += part.folded ? fmt::format("<details><summary>{}</summary>{}</details>", heading, table)
+                            : fmt::format("<h3>{}</h3>{}", heading, table);
+    }
     text += "<p class=\"facts\">Places:";
     for (std::size_t i = 0; i < found.places.size(); ++i)
         text += fmt::format(" {}{}: {};", i, i < found.searched ? "" : " (held out)",
-                            escaped(place_text(found.places[i], found.places[0])));
+                            content::escaped(place_text(found.places[i], found.places[0])));
     return text + "</p></section>\n";
 }
 

@@ -34,11 +34,12 @@ section{border-top:1px solid var(--line);padding:1.2rem 0}
 .grey,.weak{opacity:.6}.wrong{stroke:var(--wrong)}.step{stroke:var(--weak);stroke-dasharray:4 3}
 .plot .stamp{fill:var(--wrong);font-weight:700}
 .scroll{overflow-x:auto}
-table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums;white-space:nowrap}
-th,td{padding:.25em .6em;text-align:right;border-bottom:1px solid var(--line)}
-th{color:var(--weak);font-weight:600}th:first-child,td:first-child,td:last-child,th:last-child{text-align:left}
-td:last-child{white-space:normal;min-width:11em}
-tr.current td:first-child{color:var(--current);font-weight:700}td.far{color:var(--weak);text-decoration:line-through}
+table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums}
+th,td{padding:.25em .5em;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
+th{color:var(--weak);font-weight:600;vertical-align:bottom}.number{text-align:right}td.number{white-space:nowrap}
+td.words{overflow-wrap:anywhere;min-width:7em}
+tr.current td:first-child{color:var(--current);font-weight:700}
+summary{cursor:pointer;color:var(--accent);margin:.6rem 0}
 .pictures{display:flex;flex-wrap:wrap;gap:.8rem;margin-top:1rem}
 figure{margin:0;background:var(--panel);padding:.4rem;border-radius:4px}
 figure img{width:144px;height:auto;display:inline-block;image-rendering:auto;vertical-align:top}
@@ -110,45 +111,10 @@ std::string pictures(const SweepResult& sweep) {
         out += fmt::format(
             "<figure><img src=\"{}\" alt=\"{}\"> <img src=\"{}\" alt=\"difference of {} from the reference\">"
             "<figcaption><b>{}</b>{}</figcaption></figure>",
-            shown, escaped(rung.name), off, escaped(rung.name), escaped(rung.name),
+            shown, content::escaped(rung.name), off, content::escaped(rung.name), content::escaped(rung.name),
             fmt::format(": {}, difference × {:g}", psnr_text(rung.own.display.psnr), factor));
     }
     return out + "</div>";
-}
-
-std::string table(const SweepResult& sweep) {
-    const bool degrees = ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
-    std::string out =
-        "<div class=\"scroll\"><table><tr><th>rung</th><th>ms</th><th>95 %</th><th>relative to "
-        "current</th><th>RMSE</th><th>PSNR, dB</th><th>maximum</th><th>mean</th><th>RMSE of display</th><th>PSNR of "
-        "display</th><th>RMSE alone</th><th>FLIP</th>";
-    if (degrees) out += "<th>degrees</th>";
-    out += "<th>PSNR of all</th><th>rounds</th><th></th></tr>";
-    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
-        const RungResult& rung = sweep.rungs[i];
-        out += fmt::format("<tr{}><td>{}{}</td>", i == sweep.sweep.current ? " class=\"current\"" : "",
-                           escaped(rung.name), i == sweep.sweep.reference ? " (reference)" : "");
-        if (!rung.drawn) {
-            out += fmt::format("<td colspan=\"{}\">not drawn</td></tr>", degrees ? 15 : 14);
-            continue;
-        }
-        out += rung.rounds > 0 ? fmt::format("<td>{:.3g}</td><td>{:.3g} to {:.3g}</td><td>{}</td>", rung.milliseconds,
-                                             rung.low, rung.high, ratio_text(rung.ratio))
-                               : "<td></td><td></td><td></td>";
-        const char* far = rung.saturated ? " class=\"far\" title=\"decorrelated: RMSE no longer ranks\"" : "";
-        const Figures &light = rung.own.light, &display = rung.own.display;
-        out +=
-            fmt::format("<td{0}>{1}</td><td{0}>{2}</td><td>{3}</td><td>{4}</td>", far, known_text("{:.3g}", light.rmse),
-                        psnr_text(light.psnr), known_text("{:.3g}", light.max), known_text("{:.3g}", light.mean));
-        out += fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", known_text("{:.3g}", display.rmse),
-                           psnr_text(display.psnr), known_text("{:.3g}", rung.alone.rmse),
-                           known_text("{:.3f}", rung.flip));
-        if (degrees)
-            out += rung.degrees ? fmt::format("<td>{}</td>", known_text("{:.3g}", rung.degrees->mean)) : "<td></td>";
-        out += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>", psnr_text(rung.whole.light.psnr), rung.rounds,
-                           escaped(notes_text(sweep, rung)));
-    }
-    return out + "</table></div>";
 }
 
 // The pictures are compared with the reference, which is none of the rungs.
@@ -159,21 +125,19 @@ std::string together_section(const Together& together) {
         "<section><h2>{}</h2><p class=\"words\"><b>{}</b></p><p class=\"words\">{}</p><div "
         "class=\"scroll\">{}</div>{}<p class=\"facts\">{}, errors at the worst of {} places. Control (the scene timed "
         "twice): {}; clock: {}.</p></section>\n",
-        escaped(sweep.sweep.name), escaped(words), escaped(more), plot_svg(sweep), table(sweep),
-        escaped(together.scene), together.advice.places, ratio_text(sweep.control.ratio), name(sweep.clock));
+        content::escaped(sweep.sweep.name), content::escaped(words), content::escaped(more), plot_svg(sweep),
+        content::table_html(rung_table(sweep)), content::escaped(together.scene), together.advice.places,
+        ratio_text(sweep.control.ratio), name(sweep.clock));
 }
 
 std::string section(const SweepResult& sweep) {
     const bool timed = ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
-    std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", escaped(sweep.sweep.name),
-                                  escaped(in_words(sweep)));
+    std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", content::escaped(sweep.sweep.name),
+                                  content::escaped(in_words(sweep)));
     if (timed) out += "<div class=\"scroll\">" + plot_svg(sweep) + "</div>";
-    out += table(sweep);
-    out += fmt::format("<p class=\"facts\">{}{}; {}.{}{}</p>", escaped(sweep.scene),
-                       sweep.own_pixels > 0 ? fmt::format(", errors over the {} that the ladder's draws cover",
-                                                          pixels_text(sweep.own_pixels))
-                                            : std::string(", errors over the whole picture"),
-                       escaped(sweep.reference_note),
+    out += content::table_html(rung_table(sweep));
+    out += fmt::format("<p class=\"facts\">{}, errors {}; {}.{}{}</p>", content::escaped(sweep.scene), area_text(sweep),
+                       content::escaped(sweep.reference_note),
                        timed ? fmt::format(" Control (the current rung timed twice): {}; clock: {}.",
                                            ratio_text(sweep.control.ratio), name(sweep.clock))
                              : std::string(),
@@ -189,14 +153,15 @@ std::string html_text(const Report& report, std::string_view slide) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
         "content=\"width=device-width,initial-scale=1\"><title>Accuracy and cost: {}</title><link rel=\"icon\" "
         "href=\"data:,\"><style>{}</style></head>\n<body><h1>Accuracy and cost</h1>",
-        escaped(w.scene), style);
+        content::escaped(w.scene), style);
     if (!slide.empty()) out += fmt::format("<div class=\"scroll\">{}</div>", slide);
     out += fmt::format(
         "<p class=\"facts\">{} · {} × {}, up to {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, "
         "{} · "
         "load {:.1f} before, {:.1f} after · {}</p>",
-        escaped(w.scene), w.width, w.height, w.rounds, w.others(), w.date, escaped(w.renderer), escaped(w.gl),
-        escaped(w.cpu), w.cores, escaped(w.os), w.load_before, w.load_after, escaped(w.tool));
+        content::escaped(w.scene), w.width, w.height, w.rounds, w.others(), w.date, content::escaped(w.renderer),
+        content::escaped(w.gl), content::escaped(w.cpu), w.cores, content::escaped(w.os), w.load_before, w.load_after,
+        content::escaped(w.tool));
     out += fmt::format(
         "<p class=\"words\">{} Differences in the pictures are of display values. Filled: on the front. Hollow: "
         "another "
@@ -204,11 +169,11 @@ std::string html_text(const Report& report, std::string_view slide) {
         "of "
         "one ladder's costs hold together at 95 %.</p>\n",
         errors_are);
-    for (const FoundResult& found : report.found) out += found_html(found);
     for (const Together& together : report.together) out += together_section(together);
     for (const SweepResult& sweep : report.sweeps) out += section(sweep);
+    for (const FoundResult& found : report.found) out += found_html(found);
     for (const std::string& problem : report.problems)
-        out += fmt::format("<p class=\"facts\">{}</p>", escaped(problem));
+        out += fmt::format("<p class=\"facts\">{}</p>", content::escaped(problem));
     return out + "</body></html>\n";
 }
 

@@ -12,34 +12,14 @@ namespace snell::accuracy {
 
 namespace {
 
-std::string row(const SweepResult& sweep, std::size_t index, bool degrees) {
-    const RungResult& rung = sweep.rungs[index];
-    std::string text = fmt::format("| {}`{}`{} |", index == sweep.sweep.current ? "**" : "", rung.name,
-                                   index == sweep.sweep.current ? "**" : "");
-    if (!rung.drawn) return text + fmt::format(" not drawn |{}\n", degrees ? " | | | | | | |" : " | | | | | |");
-    text += rung.rounds > 0 ? fmt::format(" {:.3g} | {} |", rung.milliseconds, ratio_text(rung.ratio)) : " | |";
-    text += fmt::format(" {} | {} | {} | {} | {} |", known_text("{:.3g}", rung.own.light.rmse),
-                        psnr_text(rung.own.light.psnr), psnr_text(rung.own.display.psnr),
-                        known_text("{:.3g}", rung.alone.rmse), known_text("{:.3f}", rung.flip));
-    if (degrees) text += rung.degrees ? fmt::format(" {} |", known_text("{:.3g}", rung.degrees->mean)) : " |";
-    return text + fmt::format(" {} |\n", notes_text(sweep, rung));
-}
-
 std::string part(const SweepResult& sweep, const std::string& plot) {
-    const bool degrees = ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
     const bool timed = sweep.rungs[sweep.sweep.current].rounds > 0;
-    std::string text = fmt::format("\n## {}: {}\n\n{}\n", escaped(sweep.scene), sweep.sweep.name, in_words(sweep));
-    text += fmt::format("\nErrors over the {}; {}.{}\n",
-                        sweep.own_pixels > 0 ? pixels_text(sweep.own_pixels) + " of its draws" : "whole picture",
-                        sweep.reference_note,
+    std::string text =
+        fmt::format("\n## {}: {}\n\n{}\n", content::escaped(sweep.scene), sweep.sweep.name, in_words(sweep));
+    text += fmt::format("\nErrors {}; {}.{}\n", area_text(sweep), sweep.reference_note,
                         timed ? fmt::format(" Control: {}.", ratio_text(sweep.control.ratio)) : std::string());
     if (timed && !plot.empty()) text += fmt::format("\n![{}: error over time]({})\n", sweep.sweep.name, plot);
-    text += fmt::format(
-        "\n| rung | ms | relative to current | RMSE | PSNR, dB | PSNR of display | RMSE alone | FLIP |{} "
-        "|\n|---|--:|--:|--:|--:|--:|--:|--:|{}\n",
-        degrees ? " degrees |" : "", degrees ? "--:|---|" : "---|");
-    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row(sweep, i, degrees);
-    return text;
+    return text + "\n" + content::table_markdown(rung_table(sweep));
 }
 
 }  // namespace
@@ -61,8 +41,8 @@ std::string markdown_text(const Report& report, const std::vector<std::string>& 
         const auto at = static_cast<std::size_t>(ranges::find(plotted, &sweep) - plotted.begin());
         return at < plots.size() ? plots[at] : std::string();
     };
-    for (const FoundResult& found : report.found) text += found_markdown(found, plot_for(found.timed));
     for (const SweepResult& sweep : report.sweeps) text += part(sweep, plot_for(sweep));
+    for (const FoundResult& found : report.found) text += found_markdown(found, plot_for(found.timed));
     return text;
 }
 

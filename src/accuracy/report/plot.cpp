@@ -8,6 +8,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/report/axis.h"
+#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
@@ -31,7 +32,7 @@ class Plot {
 public:
     explicit Plot(const SweepResult& sweep) : sweep_(sweep), x_(time_axis()), y_(error_axis()) {
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i)
-            if (sweep.rungs[i].drawn && sweep.rungs[i].rounds > 0 && !std::isnan(sweep.error(sweep.rungs[i])))
+            if (shown(i) && !std::isnan(sweep.error(sweep.rungs[i])))
                 marks_.push_back({i, x_.at(sweep.rungs[i].milliseconds), y_at(i)});
     }
 
@@ -40,7 +41,7 @@ public:
             "<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" role=\"img\" "
             "aria-label=\"{}: "
             "error over time\">",
-            width, height, escaped(sweep_.sweep.name));
+            width, height, content::escaped(sweep_.sweep.name));
         if (!style.empty()) out_ += fmt::format("<style>{}</style>", style);
         axes();
         if (sweep_.sweep.kind == SweepKind::lattice) edges();
@@ -57,10 +58,13 @@ public:
     }
 
 private:
+    bool shown(std::size_t i) const {
+        return sweep_.rungs[i].drawn && sweep_.rungs[i].rounds > 0 && !plainly_visible(sweep_, i);
+    }
     Axis time_axis() const {
         double low = 1e30, high = 0;
-        for (const RungResult& rung : sweep_.rungs)
-            if (rung.drawn && rung.rounds > 0) {
+        for (std::size_t i = 0; i < sweep_.rungs.size(); ++i)
+            if (const RungResult& rung = sweep_.rungs[i]; shown(i)) {
                 low = std::min(low, rung.low > 0 ? rung.low : rung.milliseconds);
                 high = std::max(high, std::isfinite(rung.high) ? rung.high : rung.milliseconds);
             }
@@ -68,8 +72,8 @@ private:
     }
     Axis error_axis() const {
         double low = 1e30, high = 0;
-        for (const RungResult& rung : sweep_.rungs)
-            if (const double error = sweep_.error(rung); rung.drawn && error > 0 && std::isfinite(error)) {
+        for (std::size_t i = 0; i < sweep_.rungs.size(); ++i)
+            if (const double error = sweep_.error(sweep_.rungs[i]); shown(i) && error > 0 && std::isfinite(error)) {
                 low = std::min(low, error);
                 high = std::max(high, error);
             }
@@ -88,7 +92,7 @@ private:
     }
     void text(std::string_view kind, double x, double y, std::string_view anchor, std::string_view words) {
         out_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", kind, x, y,
-                            anchor, escaped(words));
+                            anchor, content::escaped(words));
     }
 
     void axes() {
@@ -166,9 +170,10 @@ private:
         const RungResult& rung = sweep_.rungs[mark.rung];
         const bool solid = !sweep_.trusted() || rung.verdict.standing == Standing::front;
         const std::string kind = std::string(solid ? "solid" : "hollow") + (rung.saturated ? " grey" : "");
-        const std::string title = fmt::format(
-            "<title>{}: {:.3g} ms, RMSE {:.3g} of light, {:.3g} of display values. {}</title>", escaped(rung.name),
-            rung.milliseconds, rung.own.light.rmse, rung.own.display.rmse, escaped(notes_text(sweep_, rung)));
+        const std::string title =
+            fmt::format("<title>{}: {:.3g} ms, RMSE {:.3g} of light, {:.3g} of display values. {}</title>",
+                        content::escaped(rung.name), rung.milliseconds, rung.own.light.rmse, rung.own.display.rmse,
+                        content::escaped(notes_text(sweep_, rung)));
         if (mark.rung == sweep_.sweep.current)
             out_ +=
                 fmt::format("<rect class=\"{} current\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"11\" height=\"11\">{}</rect>",
@@ -248,27 +253,6 @@ private:
 };
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (char c : text) switch (c) {
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '&':
-                out += "&amp;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                out += c;
-        }
-    return out;
-}
 
 std::string plot_svg(const SweepResult& sweep, std::string_view style) { return Plot(sweep).svg(style); }
 

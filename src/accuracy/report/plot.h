@@ -11,7 +11,4 @@ namespace snell::accuracy {
 // own.
 std::string plot_svg(const SweepResult& sweep, std::string_view style = {});
 
-// Escapes text for contents and attributes of HTML and SVG.
-std::string escaped(std::string_view text);
-
 }  // namespace snell::accuracy

@@ -9,6 +9,7 @@
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/measure.h"
 #include "src/accuracy/report/together.h"
+#include "src/content/table.h"
 
 namespace snell::accuracy {
 
@@ -51,6 +52,8 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung);
 
 // All remarks on the rung: its standing, and what a reader must know before trusting its error.
 std::string notes_text(const SweepResult& sweep, const RungResult& rung);
+// Which pixels its errors are of.
+std::string area_text(const SweepResult& sweep);
 // "1 pixel", "2 pixels".
 std::string pixels_text(std::size_t count);
 // A number in a format such as "{:.2g}"; "?" if it is unknown (NaN).
@@ -63,7 +66,9 @@ inline constexpr std::string_view errors_are =
     "values "
     "themselves are given next to them. 'Alone' compares with the last rung at the scene's own knobs.";
 
-// Text for a terminal.
+// Its rungs; the scene's own is marked.
+content::Table rung_table(const SweepResult& sweep);
+// Text for a terminal, of at most content::page_columns.
 std::string table_text(const SweepResult& sweep);
 std::string header_text(const Report& report);
 

@@ -100,6 +100,11 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
     return "";
 }
 
+std::string area_text(const SweepResult& sweep) {
+    return sweep.own_pixels > 0 ? fmt::format("over the {} that its draws cover", pixels_text(sweep.own_pixels))
+                                : "over the whole picture";
+}
+
 std::string pixels_text(std::size_t count) { return fmt::format("{} pixel{}", count, count == 1 ? "" : "s"); }
 
 std::string known_text(std::string_view format, double value) {
@@ -113,6 +118,8 @@ std::string psnr_text(double psnr) {
 
 std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
     std::vector<std::string> notes;
+    if (!rung.drawn) return "not drawn";
+    if (&rung == last_of(sweep)) notes.emplace_back("reference");
     if (std::string standing = standing_text(sweep, rung); !standing.empty()) notes.push_back(std::move(standing));
     if (rung.below_residual && sweep.metric == Metric::rmse) notes.emplace_back("not told apart from the reference");
     if (rung.saturated) notes.emplace_back("decorrelated");
@@ -212,46 +219,63 @@ std::string in_words(const SweepResult& sweep) {
 
 std::string header_text(const Report& report) {
     const Circumstances& w = report.where;
-    return fmt::format(
-        "{}: {}x{}, up to {} rounds, {}\n{} ({}), {}, {} cores, load {:.1f} before, {:.1f} after\n{} Other ladders are "
-        "as in the {}.\n",
-        w.scene, w.width, w.height, w.rounds, w.date, w.renderer, w.gl, w.cpu, w.cores, w.load_before, w.load_after,
-        errors_are, w.others());
+    return content::paragraph(
+               fmt::format("{}: {}x{}, up to {} rounds, {}", w.scene, w.width, w.height, w.rounds, w.date), 0) +
+           content::paragraph(fmt::format("{} ({}), {}, {} cores, load {:.1f} before, {:.1f} after", w.renderer, w.gl,
+                                          w.cpu, w.cores, w.load_before, w.load_after),
+                              0) +
+           content::paragraph(fmt::format("{} Other ladders are as in the {}.", errors_are, w.others()), 0);
+}
+
+namespace {
+
+struct RungRow {
+    const SweepResult* sweep;
+    const RungResult* rung;
+
+    bool timed() const { return rung->drawn && rung->rounds > 0; }
+    std::string number(std::string_view format, double value) const {
+        return rung->drawn ? known_text(format, value) : "";
+    }
+    std::string decibels(double psnr) const { return rung->drawn ? psnr_text(psnr) : ""; }
+};
+
+using content::CellKind;
+constexpr content::TableColumn<RungRow> rung_columns[]{
+    {"rung", CellKind::words, [](const RungRow& r) { return r.rung->name; }},
+    {"ms", CellKind::number,
+     [](const RungRow& r) { return r.timed() ? fmt::format("{:.3g}", r.rung->milliseconds) : ""; }},
+    {"relative to current", CellKind::number,
+     [](const RungRow& r) { return r.timed() ? ratio_text(r.rung->ratio) : ""; }},
+    {"RMSE", CellKind::number, [](const RungRow& r) { return r.number("{:.2g}", r.rung->own.light.rmse); }},
+    {"PSNR, dB", CellKind::number, [](const RungRow& r) { return r.decibels(r.rung->own.light.psnr); }},
+    {"PSNR of display", CellKind::number, [](const RungRow& r) { return r.decibels(r.rung->own.display.psnr); }},
+    {"PSNR of all", CellKind::number, [](const RungRow& r) { return r.decibels(r.rung->whole.light.psnr); }},
+    {"RMSE alone", CellKind::number, [](const RungRow& r) { return r.number("{:.2g}", r.rung->alone.rmse); }},
+    {"FLIP", CellKind::number, [](const RungRow& r) { return r.number("{:.3f}", r.rung->flip); }},
+    {"degrees", CellKind::number,
+     [](const RungRow& r) { return r.rung->degrees ? r.number("{:.3g}", r.rung->degrees->mean) : ""; }},
+    {"remarks", CellKind::words, [](const RungRow& r) { return notes_text(*r.sweep, *r.rung); }},
+};
+
+}  // namespace
+
+content::Table rung_table(const SweepResult& sweep) {
+    std::vector<RungRow> rows;
+    for (const RungResult& rung : sweep.rungs) rows.push_back({&sweep, &rung});
+    content::Table table = content::table_of(rung_columns, rows);
+    table.rows[sweep.sweep.current].marked = true;
+    return std::move(table.without_empty());
 }
 
 std::string table_text(const SweepResult& sweep) {
-    std::size_t width = 8;
-    for (const RungResult& rung : sweep.rungs) width = std::max(width, rung.name.size());
-    const bool degrees = ranges::any_of(sweep.rungs, [](const RungResult& r) { return r.degrees.has_value(); });
-    std::string text = fmt::format("\n{}", sweep.sweep.name);
-    text += sweep.own_pixels > 0 ? fmt::format(", over the {} that its draws cover", pixels_text(sweep.own_pixels))
-                                 : ", over the whole picture";
-    text += fmt::format("; {}\n", sweep.reference_note);
-    text += fmt::format("  {:{}}  {:>9}  {:>20}  of light:          of display:        alone\n", "", width, "", "");
-    text += fmt::format("  {:<{}}  {:>9}  {:>20}  {:>8}  {:>6}  {:>8}  {:>6}  {:>8}  {:>6}  {}{:>9}\n", "rung", width,
-                        "ms", "relative to current", "RMSE", "PSNR", "RMSE", "PSNR", "RMSE", "FLIP",
-                        degrees ? " degrees  " : "", "PSNR all");
-    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
-        const RungResult& rung = sweep.rungs[i];
-        const char mark = i == sweep.sweep.current ? '*' : ' ';
-        if (!rung.drawn) {
-            text += fmt::format("{} {:<{}}  not drawn\n", mark, rung.name, width);
-            continue;
-        }
-        text += fmt::format("{} {:<{}}  {:>9}  {:>20}  {:>8}  {:>6}  {:>8}  {:>6}  {:>8}  {:>6}  {}{:>9}  {}\n", mark,
-                            rung.name, width, rung.rounds > 0 ? fmt::format("{:.2f}", rung.milliseconds) : "-",
-                            rung.rounds > 0 ? ratio_text(rung.ratio) : "-", known_text("{:.2g}", rung.own.light.rmse),
-                            psnr_text(rung.own.light.psnr), known_text("{:.2g}", rung.own.display.rmse),
-                            psnr_text(rung.own.display.psnr), known_text("{:.2g}", rung.alone.rmse),
-                            known_text("{:.3f}", rung.flip),
-                            !degrees       ? ""
-                            : rung.degrees ? fmt::format("{:>8}  ", known_text("{:.3g}", rung.degrees->mean))
-                                           : "          ",
-                            psnr_text(rung.whole.light.psnr), notes_text(sweep, rung));
-    }
+    std::string text =
+        "\n" +
+        content::paragraph(fmt::format("{}, {}; {}", sweep.sweep.name, area_text(sweep), sweep.reference_note), 0);
+    text += content::table_text(rung_table(sweep));
     if (sweep.rungs[sweep.sweep.current].rounds > 0)
         text += fmt::format("  control: {}, {}\n", ratio_text(sweep.control.ratio), name(sweep.clock));
-    return text + "  " + in_words(sweep) + "\n";
+    return text + content::paragraph(in_words(sweep), 2);
 }
 
 }  // namespace snell::accuracy

@@ -153,9 +153,10 @@ std::string found_choice_text(const std::string& path, const AccuracyOptions& op
     const RungResult& rung = found.timed.rungs[best];
     if (best == found.timed.sweep.current) return fmt::format("the scene as it is, {}\n", time_text(rung));
     return fmt::format(
-        "found rung {}\n  RMSE {:.3g} from the scene as it is, at the worst of {} places; {} the scene takes\n  {}\n",
-        rung.name, rung.own.light.rmse, found.places.size(), cost_text(rung, found.timed),
-        apply_command(path, options.choices, rung.name, "FOLDER"));
+        "found rung {} ({})\n  RMSE {:.3g} from the scene as it is, at the worst of {} places; {} the scene takes\n  "
+        "{}\n",
+        utf8::printable(rung.name), rung_name(rung.steps), rung.own.light.rmse, found.places.size(),
+        cost_text(rung, found.timed), apply_command(path, options.choices, rung_name(rung.steps), "FOLDER"));
 }
 
 // False, too, if it is the scene as it is: ladders are judged by the reference, not by what the scene has.

@@ -342,7 +342,7 @@ void main() {
     EXPECT_TRUE(found.front()[0]->held_out);
     for (const FoundRung& rung : found.rungs)
         if (rung.timed) {
-            EXPECT_EQ(found.timed.rungs[*rung.timed].name, rung.name);
+            EXPECT_EQ(found.timed.rungs[*rung.timed].name, found.words(rung));
         }
 }
 

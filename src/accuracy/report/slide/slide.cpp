@@ -128,11 +128,7 @@ bool mere_number(std::string_view name) {
 }
 
 std::string name_of(const Shown& shown, const SweepResult& sweep, std::size_t rung) {
-    const RungResult& result = sweep.rungs[rung];
-    if (!shown.is_found(sweep)) return result.name;
-    if (rung == sweep.sweep.current) return "the scene";
-    const FoundRung* const found = shown.found->find(result.name);
-    return found && found->changes.size() == 1 ? result.name + " " + kind_of(*shown.found, *found) : result.name;
+    return shown.is_found(sweep) && rung == sweep.sweep.current ? "the scene" : sweep.rungs[rung].name;
 }
 
 // Puts the name of the sweep before names that occur in several, or say nothing alone.
