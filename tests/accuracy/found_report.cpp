@@ -169,9 +169,9 @@ TEST(FoundReport, TextsOfShadersStayWithinTheirCells) {
     found.rungs[0].outcome = Outcome::refused;
     found.rungs[0].reason = "error: a | <b>";
     const std::string page = found_markdown(found, "");
-    const std::size_t row = page.find("| after (1) | ");
+    const std::size_t row = page.find("| after, no. 1 (1) | ");
     ASSERT_NE(row, std::string::npos) << page;
-    EXPECT_EQ(std::count(page.begin() + static_cast<std::ptrdiff_t>(row), page.end(), '|'), 4) << page;
+    EXPECT_EQ(std::count(page.begin() + static_cast<std::ptrdiff_t>(row), page.end(), '|'), 5) << page;
     EXPECT_NE(page.find("a &#124;&#124; b"), std::string::npos) << page;
     EXPECT_NE(page.find("error: a &#124; &lt;b&gt;"), std::string::npos) << page;
 }

@@ -67,7 +67,7 @@ Listed listed(const FoundResult& found) {
             (rung.timed || rung.only_where_tried))
             rungs.push_back(&rung);
     for (const FoundRung& rung : found.rungs)
-        if (rung.changes.size() == 1 && ranges::find(rungs, &rung) == rungs.end() &&
+        if (rung.changes.size() == 1 && !plainly_visible(rung) && ranges::find(rungs, &rung) == rungs.end() &&
             ranges::any_of(rungs, [&](const FoundRung* of) {
                 return ranges::find(of->changes, rung.changes[0]) != of->changes.end();
             }))
