@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -82,6 +84,76 @@ TEST(Teaching, RubricsGiveThePointsThatThePagesTell) {
         EXPECT_NEAR(points["passing"], told[0], .05) << lesson << '\n' << results.dump(1);
         EXPECT_NEAR(points["failing"], told[1], .05) << lesson << '\n' << results.dump(1);
         EXPECT_LE(points["handout"], 5) << lesson << '\n' << results.dump(1);
+    }
+}
+
+// What changes a submission that passes, so that nothing of it is seen: by the end of a file's name, what becomes of
+// its text.
+using Damage = std::function<std::string(const std::string& text)>;
+struct Emptied {
+    std::string name, ending;
+    Damage damage;
+};
+
+std::vector<Emptied> emptied() {
+    const auto becomes = [](const std::string& now) { return [now](const std::string&) { return now; }; };
+    const auto behind_lines = [](const std::string& lines, const std::string& added) {
+        return [=](const std::string& text) { return std::regex_replace(text, std::regex(lines), "$&\n" + added); };
+    };
+    return {{"rubbish", ".frag", becomes("rubbish")},
+            {"discard", ".frag", becomes("void main() { discard; }")},
+            {"nan", ".frag", becomes("void main() { gl_FragColor = vec4(0. / 0.); }")},
+            {"transparent", ".frag", becomes("void main() { gl_FragColor = vec4(0.); }")},
+            {"outside", ".glib", behind_lines("(LookAt|Ortho) .*", "Translate 0. 100000. 0.")},
+            {"program-only", ".glib",
+             [](const std::string& text) {
+                 const std::string drawing = "(Sphere|Quad|Box|Teapot|glBegin|glVertex|glEnd)";
+                 return std::regex_replace(text, std::regex("\n *" + drawing + "[^\n]*"), "");
+             }},
+            {"blank", ".glib", becomes("")}};
+}
+
+void make_emptied(const fs::path& from, const fs::path& to) {
+    for (const Emptied& one : emptied()) {
+        fs::copy(from, to / one.name, fs::copy_options::recursive);
+        bool changed = false;
+        for (const auto& entry : fs::recursive_directory_iterator(to / one.name)) {
+            if (!entry.path().string().ends_with(one.ending)) continue;
+            const std::string text = bytes_of(entry.path()), damaged = one.damage(text);
+            changed = changed || damaged != text;
+            std::ofstream(entry.path()) << damaged;
+        }
+        EXPECT_TRUE(changed) << from << " as " << one.name;
+    }
+}
+
+void earns_nothing(const std::string& rubric, const fs::path& good, const Scratch& folder) {
+    fs::create_directories(folder.path("s"));
+    make_emptied(good, folder.path("s"));
+    fs::copy(good, folder.path("s/whole"), fs::copy_options::recursive);
+    const Outcome outcome = snell("grade " + rubric + " " + folder.path("s") + " -o " + folder.path("report"));
+    ASSERT_EQ(outcome.status, 0) << rubric << '\n' << outcome.output;
+    const auto results = nlohmann::json::parse(bytes_of(folder.path("report/results.json")));
+    ASSERT_EQ(results["submissions"].size(), emptied().size() + 1) << outcome.output;
+    for (const auto& one : results["submissions"])
+        EXPECT_EQ(one["points"], one["name"] == "whole" ? results["points"] : nlohmann::json(0)) << rubric << '\n'
+                                                                                                 << one.dump(1);
+}
+
+TEST(Teaching, NothingEarnsNothing) {
+    for (const fs::path& lesson : lessons())
+        earns_nothing((lesson / "rubric.toml").string(), lesson / "submissions/passing", Scratch());
+}
+
+TEST(Teaching, NothingEarnsNothingByRubricsOfTemplates) {
+    for (const auto& kind : fs::directory_iterator(SNELL_ROOT "/templates")) {
+        const Scratch folder;
+        const std::string name = kind.path().filename().string(), own = folder.path(name),
+                          rubric = folder.path("rubric.toml");
+        const Outcome made = snell("new " + own + " --kind " + name);
+        ASSERT_EQ(made.status, 0) << made.output;
+        ASSERT_EQ(snell("grade --new " + own + "/" + name + ".glib -o " + rubric).status, 0);
+        earns_nothing(rubric, own, folder);
     }
 }
 

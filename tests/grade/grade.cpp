@@ -109,6 +109,94 @@ TEST_F(Grade, AnEmptyPictureIsNotTheSame) {
     EXPECT_EQ(points_of(items), (Points{0, 4})) << last;
 }
 
+TEST_F(Grade, EmptinessIsJudgedByWhatIsDrawn) {
+    // The reference is black on black without light, and nothing at all when it is cut away.
+    const std::string cut = with(with(paint, "uSide;", "uSide, uCut;"), "  vec3 n",
+                                 "  if (uCut > .5) discard;\n  vec3 n"),
+                      text = with(with(ball, "uKd", "uCut <0. 0. 1.> uKd"), "LookAt", "Background 0 0 0\nLookAt"),
+                      black = with(cut, "(.1 + uKd * d)", "uKd * d");
+    scene("reference", black, text);
+    const Items items{"no_errors = true\n",
+                      "forbids = [\"Torus\"]\n",
+                      "no_lints = [\"never-read\"]\n",
+                      "uniforms = { uKd = \"float\" }\n",
+                      "expect = \"reference\"\nmax_rmse = 0.9\n",
+                      "set = { uKd = 0 }\nexpect = \"reference\"\n",
+                      "set = { uCut = 1 }\nexpect = \"reference\"\n",
+                      "set = { uCut = 1 }\nexpect = \"darker\"\n",
+                      "counters = { draws = 1 }\n"};
+    EXPECT_EQ(points_of(items, black, text), (Points{4, 4, 4, 4, 4, 4, 4, 4, 4})) << last;
+    // Nearer to the reference than a limit is not enough.
+    const std::string gone = with(black, "gl_FragColor", "if (uKd >= 0.) discard;\n  gl_FragColor");
+    EXPECT_EQ(points_of(items, gone, text), Points(9, 0)) << last;
+    EXPECT_NE(last.find("nothing is seen"), std::string::npos) << last;
+    // All of it is behind the eye, in the background's colour, or wholly transparent.
+    for (const std::string& moved : {with(text, "Sphere", "Translate 0 0 9\nSphere"),
+                                     with(text, "Sphere", "Scale 0 0 0\nSphere"), with(text, "Sphere", "#")})
+        EXPECT_EQ(points_of(items, black, moved), Points(9, 0)) << moved << last;
+    for (const std::string color : {"vec4(0.)", "vec4(0., 0., 0., 1.)", "vec4(1., 1., 1., 0.)", "vec4(0. / uCut)"})
+        EXPECT_EQ(
+            points_of(items, "uniform float uKd, uRed, uSide, uCut;\nvoid main() { gl_FragColor = " + color + "; }",
+                      text),
+            Points(9, 0))
+            << color << last;
+    // One empty picture costs what is judged by it, and no more: the reference shows something there.
+    const std::string dark = with(black, "uCut > .5", "uKd < .5 || uCut > .5");
+    EXPECT_EQ(points_of(items, dark, text), (Points{4, 4, 4, 4, 4, 0, 4, 4, 4})) << last;
+    EXPECT_NE(last.find("nothing is seen in the picture 'uKd=0'"), std::string::npos) << last;
+    // A scene that fills its picture in the background's colour is there.
+    const std::string filled = with(with(text, "Sphere 1", "QuadXY 0 9"), "Background 0", "Background 1");
+    EXPECT_EQ(points_of({items[0], "set = { uCut = 1 }\nexpect = \"different\"\n"},
+                        "uniform float uCut;\nvoid main() { gl_FragColor = vec4(1., uCut, 0., 1.); }", filled),
+              (Points{4, 4}))
+        << last;
+}
+
+TEST_F(Grade, TheCauseIsToldFirst) {
+    const std::string wall = with(ball, "Sphere 1", "Texture2D 5 wall.png\nSphere 1"),
+                      reads =
+                          "uniform sampler2D uWall;\nuniform float uKd, uRed, uSide;\nin vec3 vN;\nvoid main() {\n"
+                          "  gl_FragColor = vec4(vec3(uRed, .2, .1) * (.1 + uKd * vN.z) + "
+                          "texture2D(uWall, vN.xy + uSide).rgb, 1.);\n}\n";
+    const Items items{"no_errors = true\n",
+                      "set = { uSide = 1 }\nthan = { uSide = -1 }\nexpect = \"same\"\n",
+                      "set = { uKd = 1 }\nexpect = \"darker\"\n",
+                      "expect = \"reference\"\nmax_rmse = 0.0001\n",
+                      "set = { uKd = 0 }\nexpect = \"darker\"\n",
+                      "needs = [\"Sphere\"]\n",
+                      "forbids = [\"Sphere\"]\n"};
+    // Without its wall it has the same colours from any side.
+    EXPECT_EQ(points_of(items, reads, with(wall, "uKd", "uWall 5 uKd")), (Points{0, 0, 0, 0, 4, 4, 0})) << last;
+    const std::string missing = "ball.glib:7:13: there is no file 'wall.png' [file-not-found]; ";
+    for (std::size_t at = 0, item = 0; item < 4; ++item, at = last.find('\n', at) + 1)
+        EXPECT_EQ(last.find(missing, at), at) << "item " << item << '\n' << last;
+    EXPECT_NE(last.find("\nit uses Sphere (ball.glib:8)\nit uses Sphere (ball.glib:8)\n"), std::string::npos) << last;
+    // What nothing reads is not missing.
+    EXPECT_EQ(points_of(items, paint, wall), (Points{4, 0, 0, 4, 4, 4, 0})) << last;
+    // A shader with an error is not read, and what it draws is not there, although something else is seen.
+    const Items broken{"no_lints = [\"never-read\"]\n", "expect = \"reference\"\nmax_rmse = 0.9\n",
+                       "counters = { draws = \"..9\" }\n", "uniforms = { uKd = \"float\" }\n",
+                       "forbids = [\"Torus\"]\n"};
+    const std::string two = with(ball, "Vertex", "Color 0 1 0\nQuadXY -2 9\nVertex");
+    EXPECT_EQ(points_of(broken, paint, two), (Points{4, 4, 4, 4, 4})) << last;
+    EXPECT_EQ(points_of(broken, with(paint, "float d", "float e"), two), (Points{0, 0, 0, 0, 4})) << last;
+    for (std::size_t at = 0, item = 0; item < 4; ++item, at = last.find('\n', at) + 1)
+        EXPECT_EQ(last.find("ball.frag:7:", at), at) << "item " << item << '\n' << last;
+    // It is no merit that a uniform does not matter which nothing reads.
+    EXPECT_EQ(points("set = { uMix = 1 }\nthan = { uMix = 0 }\nexpect = \"same\"\n", paint,
+                     with(ball, "uKd", "uMix <0. 0. 1.> uKd")),
+              0);
+    EXPECT_NE(last.find("no shader uses 'uMix'"), std::string::npos) << last;
+}
+
+TEST_F(Grade, ARubricWithoutAReferenceConfinesSubmissions) {
+    folder.write("secret.frag", paint);
+    scene("s/ann", "", with(ball, "ball.frag", "../../secret.frag"));
+    folder.write("r.toml", "[[item]]\nno_errors = true\n");
+    EXPECT_EQ(grade("r.toml s -o out").status, 0);
+    EXPECT_EQ(result("ann")["points"], 0) << result("ann").dump(1);
+}
+
 TEST_F(Grade, TheReferenceHasTheSameValues) {
     const std::string hidden = "set = { uRed = 0.4, uKd = 0.5 }\nexpect = \"reference\"\n";
     EXPECT_EQ(points_of({hidden, "expect = \"reference\"\nmax_pixels = 5\nview = \"scale=.5\"\n"}), (Points{4, 4}))
@@ -149,6 +237,8 @@ TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
     const Outcome printed = grade("--new reference/ball.glib");
     EXPECT_TRUE(printed.says("uKd = \"float 0..1\"")) << printed.output;
     EXPECT_EQ(grade("--new reference/ball.glib -o -").output, printed.output);
+    scene("broken", "oops", ball + "Teepot\n");
+    EXPECT_EQ(grade("--new broken/ball.glib").status, 1);
 }
 
 TEST_F(Grade, ANewRubricNamesWhatItsSceneWrites) {

@@ -5,6 +5,7 @@
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
 #include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
 
 namespace snell::app {
 
@@ -96,25 +97,28 @@ Judged judge_uniforms(const RubricItem& item, const Rubric& rubric, const Docume
     return judged;
 }
 
-Judged judge_commands(const RubricItem& item, const std::set<std::string>& commands) {
+Judged judge_commands(const RubricItem& item, const UsedCommands& commands) {
     const bool needed = item.kind == Kind::needs;
-    std::vector<std::string> why;
+    std::vector<std::string> right, wrong;
     for (const std::string& name : item.names) {
         const Command* command = find_command(name);
-        const bool used = commands.contains(command ? std::string(command->name) : name);
-        if (used != needed) why.push_back(fmt::format("it {} {}", used ? "uses" : "does not use", name));
+        const auto used = commands.find(command ? std::string(command->name) : name);
+        const bool is_used = used != commands.end();
+        (is_used == needed ? right : wrong)
+            .push_back(is_used ? fmt::format("it uses {} ({})", name, used->second)
+                               : fmt::format("it does not use {}", name));
     }
-    if (needed) return shared_points(item, why.size(), item.names.size(), why);
-    return {why.empty() ? item.points : 0, why.empty(), joined(why)};
+    const std::size_t of = needed ? item.names.size() : std::min<std::size_t>(wrong.size(), 1);
+    return shared_points(item, needed ? wrong.size() : of, of, wrong.empty() ? right : wrong);
 }
 
 }  // namespace
 
-std::set<std::string> used_commands(const std::string& scene, const Access& access) {
+UsedCommands used_commands(const std::string& scene, const Access& access) {
     Files files(scene_folder(scene), access);
     Sources sources;  // only scenes: no plan is made, which would read shaders
     Diagnostics unheard(access.limits);
-    std::set<std::string> used;
+    UsedCommands used;
     if (!parse_document(scene, files, sources, unheard)) return used;
     for (std::size_t file = 0; file < sources.size(); ++file) {
         Report report(1);
@@ -123,13 +127,14 @@ std::set<std::string> used_commands(const std::string& scene, const Access& acce
         Statement statement;
         while (reader.next(statement))
             if (const Command* command = find_command(reader.lexer().text(statement.command())))
-                used.emplace(command->name);
+                used.emplace(command->name, fmt::format("{}:{}", utf8::printable(sources.name(id)),
+                                                        sources.position(id, statement.command().begin).line));
     }
     return used;
 }
 
 Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document,
-                  const std::set<std::string>& commands) {
+                  const UsedCommands& commands) {
     switch (item.kind) {
         case Kind::no_errors:
             return judge_errors(item, document);

@@ -1,7 +1,7 @@
 // Judges items of a rubric by what a scene says and counts, without its pictures.
 #pragma once
 
-#include <set>
+#include <map>
 #include <string>
 
 #include "src/app/grade/record.h"
@@ -9,12 +9,12 @@
 
 namespace snell::app {
 
-// The commands that the scene and the scenes that it includes use, by their own names.
-std::set<std::string> used_commands(const std::string& scene, const Access& access);
+// The commands that the scene and the scenes that it includes use, by their own names, and where each is first used.
+using UsedCommands = std::map<std::string, std::string>;
+UsedCommands used_commands(const std::string& scene, const Access& access);
 
 // Judges an item of the kinds no_errors, no_lints, uniforms, needs and forbids.
-Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document,
-                  const std::set<std::string>& commands);
+Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document, const UsedCommands& commands);
 Judged judge_counters(const RubricItem& item, const Counters& counters);
 
 // The assignment with the names that the scene has in place of the rubric's, where the rubric lists them as aliases.

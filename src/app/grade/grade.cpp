@@ -78,11 +78,11 @@ private:
                 grades_.reference ? grades_.reference->milliseconds : 0};
     }
 
-    // The whole time of a submission. The process itself keeps that of each step: it reads, draws each picture twice
-    // (once for NaN), measures a frame, and judges each item.
+    // The whole time of a submission. The process itself keeps that of each step: it reads, draws each picture up to
+    // three times (also for NaN, and over another background), measures a frame, and judges each item.
     double most_seconds() const {
         const Rubric& rubric = grades_.rubric;
-        return rubric.timeout * static_cast<double>(2 * rubric.pictures.size() + rubric.items.size() + 2) + 10;
+        return rubric.timeout * static_cast<double>(3 * rubric.pictures.size() + 2 * rubric.items.size() + 3) + 10;
     }
 
     ProcessLimits limits(std::size_t jobs) const {

@@ -5,6 +5,8 @@
 #include <ctime>
 #include <filesystem>
 
+#include "parser/text/finding.h"
+#include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/clock.h"
 #include "src/app/grade/facts.h"
@@ -16,7 +18,6 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/headless.h"
-#include "src/app/picture/non_finite.h"
 #include "src/app/picture/picture.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
@@ -27,6 +28,8 @@
 #include "src/lint/lint.h"
 #include "src/plan/read/texts.h"
 #include "src/plan/used_files.h"
+#include "src/runtime/flags.h"
+#include "src/runtime/inspect.h"
 
 namespace snell::app {
 
@@ -35,6 +38,11 @@ namespace {
 namespace fs = std::filesystem;
 using accuracy::Picture;
 using Kind = RubricItem::Kind;
+
+std::string shown_as(const Shown& shown) {
+    const std::string label = shown.label();
+    return label.empty() ? "its picture" : fmt::format("the picture '{}'", label);
+}
 
 bool needs_pictures(const RubricItem& item) {
     return item.kind == Kind::picture || item.kind == Kind::counters || item.kind == Kind::time;
@@ -62,13 +70,14 @@ public:
     Exit run() {
         deadline_.begin("reading the submission");
         if (!enter()) return keep();
+        if (!work_.reference.empty()) reference_ = read_record(work_.reference, rubric_);
         context_ = headless_context("");
         if (!context_) return exit_graphics;
         caps_ = gl::query_caps();
         if (!open()) return keep();
         keep();  // what follows may end the process
         draw_pictures();
-        judge_pictures();
+        judge_items();
         return keep();
     }
 
@@ -129,7 +138,7 @@ private:
         record_.scene = found.scene;
         access_.limits = strict_limits();
         access_.confine = fs::current_path(error).string();
-        if (work_.reference.empty()) access_.confine.reset();  // the lecturer's own
+        if (work_.path == rubric_.reference) access_.confine.reset();  // the lecturer's own
         access_.allow = rubric_.shared;
         return true;
     }
@@ -139,7 +148,6 @@ private:
             document.diagnostics.append(lint::check(plan, document.sources, shader_includes(*document.files)));
             Files reader(document.files->folder(), access_);
             for (const PlannedProgram& program : plan.programs) {
-                shaders_read_ = shaders_read_ && program.readable;
                 for (const auto& [path, text] : shader_texts(program, document.sources, reader))
                     add_prints(record_, path, text);
             }
@@ -153,36 +161,48 @@ private:
         record_.messages = render(document_->diagnostics, document_->sources);
         record_.errors = document_->diagnostics.errors();
         record_.warnings = document_->diagnostics.warnings();
+        find_first_error();
         if (!document_->runtime) {
             const std::string messages = record_.messages;
-            fail("its scene cannot be read");
+            fail("its scene cannot be read" + (first_error_.empty() ? "" : ": " + first_error_));
             record_.messages = messages;
             return false;
         }
-        const std::set<std::string> commands = used_commands(record_.scene, access_);
-        for (std::size_t i = 0; i < rubric_.items.size(); ++i)
-            if (!needs_pictures(rubric_.items[i])) record_.items[i] = judge_scene(rubric_.items[i], commands);
+        commands_ = used_commands(record_.scene, access_);
+        judge_items();
         return true;
     }
 
-    // Nothing is wrong with a scene that holds nothing, but nothing is solved either.
-    Judged judge_scene(const RubricItem& item, const std::set<std::string>& commands) const {
-        const bool absence = item.kind == Kind::no_errors || item.kind == Kind::no_lints || item.kind == Kind::forbids;
-        if (absence && document_->scene().draws.empty()) return {0, false, "the scene draws nothing"};
-        if (item.kind == Kind::no_lints && !shaders_read_) return {0, false, "not all shaders can be read"};
-        return judge_text(item, rubric_, *document_, commands);
+    // What an error takes out of the scene, so that items are not fulfilled by what is not there.
+    void find_first_error() {
+        const auto& found = document_->diagnostics.items();
+        const auto error =
+            ranges::find_if(found, [](const Diagnostic& one) { return one.severity == Severity::error; });
+        if (error == found.end()) return;
+        const Finding finding = describe(*error, document_->sources);
+        const std::string place = place_text(finding);
+        first_error_ = (place.empty() ? "" : place + ": ") + finding.message;
+        if (!document_->runtime) return;
+        unread_ = ranges::any_of(document_->runtime->active_uniforms(), &std::vector<ActiveUniform>::empty);
+        for (const Explanation::Paid& paid : document_->runtime->explain().paid)
+            if (paid.kind == Explanation::Kind::pass)
+                left_out_ = left_out_ || ranges::count(document_->scene().passes[paid.pass].items, Item::Kind::draw,
+                                                       &Item::kind) > static_cast<std::ptrdiff_t>(paid.draws.size());
     }
 
     void draw_pictures() {
         pictures_.resize(rubric_.pictures.size());
         wrong_.resize(rubric_.pictures.size());
+        covered_.resize(rubric_.pictures.size());
         Runtime& runtime = *document_->runtime;
         const gl::Target target =
             gl::make_target(rubric_.width, rubric_.height, rubric_.samples, runtime.display_pixels());
+        if (target.framebuffer) draw_nothing(target);
         for (std::size_t i = 0; i < pictures_.size(); ++i) {
             if (!target.framebuffer) wrong_[i] = "this OpenGL gives no picture of this size";
             if (target.framebuffer) draw(i, target);
         }
+        drawn_ = static_cast<bool>(target.framebuffer);
         if (target.framebuffer && (rubric_.judges(Kind::time))) measure_time(target);
     }
 
@@ -201,18 +221,58 @@ private:
         parse_view(shown.view, view);
         deadline_.begin(fmt::format("the picture '{}'", shown.label()));
         Frame frame{shown.time, view, controls};
-        const content::Image image =
-            draw_picture(*document_->runtime, frame, target, {.width = rubric_.width, .height = rubric_.height}, {});
+        const content::Image image = image_of(frame, target);
         if (index == 0) counters_ = document_->runtime->counters();
         pictures_[index] = accuracy::displayed_picture(image, false);
         record_.drawn[index] = fmt::format("picture-{}.png", index);
         write(record_.drawn[index], content::encode_png(image));
         frame.standing = true;
         deadline_.begin(fmt::format("looking for NaN in the picture '{}'", shown.label()));
-        const auto found = count_non_finite(*document_->runtime, frame, rubric_.width, rubric_.height);
-        if (found && found->nan > 0)
-            wrong_[index] = fmt::format("{} pixel{} of the picture '{}' {} NaN, whose colour is undefined", found->nan,
-                                        found->nan == 1 ? "" : "s", shown.label(), found->nan == 1 ? "is" : "are");
+        find_covered(index, frame, target);
+    }
+
+    content::Image image_of(const Frame& frame, const gl::Target& target) {
+        return draw_picture(*document_->runtime, frame, target, {.width = rubric_.width, .height = rubric_.height}, {});
+    }
+
+    // What pictures show where nothing is drawn: the scene's background, and the one that tells what has its colour.
+    void draw_nothing(const gl::Target& target) {
+        for (std::size_t c = 0; c < 3; ++c) other_background_[c] = document_->scene().background[c] < .5 ? 1 : 0;
+        const std::vector<bool> all(document_->scene().draws.size(), true);
+        const View view;
+        Frame frame{.view = view, .controls = document_->controls, .hidden = &all};
+        deadline_.begin("the background");
+        background_ = accuracy::displayed_picture(image_of(frame, target), false);
+        frame.background = other_background_;
+        other_ = accuracy::displayed_picture(image_of(frame, target), false);
+    }
+
+    // A pixel is seen if it is another one than the background. It is covered if it is seen, or stays when the
+    // background is another one. NaN is neither.
+    void find_covered(std::size_t index, Frame frame, const gl::Target& target) {
+        constexpr auto step = static_cast<float>(accuracy::one_step);
+        const Shown& shown = rubric_.pictures[index];
+        accuracy::Region& covered = covered_[index] = accuracy::where_different(*pictures_[index], background_, step);
+        FloatPicture floats;
+        std::vector<float> rgba;
+        std::vector<std::size_t> undefined;
+        if (floats.resize(rubric_.width, rubric_.height)) floats.draw(*document_->runtime, frame, rgba);
+        for (std::size_t i = 0; 4 * i < rgba.size(); ++i)
+            if (flag_of(std::span<const float, 4>(&rgba[4 * i], 4)) == Flag::nan) undefined.push_back(i);
+        if (!undefined.empty())
+            wrong_[index] =
+                fmt::format("{} pixel{} of {} {} NaN, whose colour is undefined", undefined.size(),
+                            undefined.size() == 1 ? "" : "s", shown_as(shown), undefined.size() == 1 ? "is" : "are");
+        for (const std::size_t i : undefined) covered[i] = 0;
+        seen_ += accuracy::count(covered);
+        if (accuracy::count(covered) < covered.size()) {
+            frame.background = other_background_;
+            const Picture picture = accuracy::displayed_picture(image_of(frame, target), false);
+            const accuracy::Region stays = accuracy::where_different(picture, other_, step);
+            for (std::size_t i = 0; i < covered.size(); ++i) covered[i] |= stays[i];
+            for (const std::size_t i : undefined) covered[i] = 0;
+        }
+        record_.covered[index] = static_cast<double>(accuracy::count(covered)) / static_cast<double>(covered.size());
     }
 
     void write(const std::string& name, const std::string& bytes) {
@@ -237,8 +297,7 @@ private:
         int frames = 0;
         while (frames < most_frames && accuracy::wall_milliseconds() - wall < enough) {
             deadline_.begin("a frame whose time is measured");
-            draw_picture(*document_->runtime, {0, view, document_->controls}, target,
-                         {.width = rubric_.width, .height = rubric_.height}, {});
+            image_of({0, view, document_->controls}, target);
             ++frames;
         }
         record_.milliseconds = (now() - begin) / frames;
@@ -255,9 +314,45 @@ private:
         return accuracy::displayed_picture(*decoded.image, false);
     }
 
-    Judged judge_picture(const RubricItem& item) {
+    // Why an item earns nothing, whatever it judges: nothing earns nothing, and what an error took away fulfils
+    // nothing; or "".
+    std::string barred(const RubricItem& item) const {
+        if (drawn_ && seen_ == 0) return "nothing is seen in any of its pictures";
+        if (item.kind == Kind::no_lints && unread_) return "not all shaders can be read";
+        if (!needs_pictures(item)) return {};
+        const bool relation = item.kind == Kind::picture;
+        for (const std::size_t index : {item.picture, item.than}) {
+            if (!wrong_[index].empty() && (relation || !drawn_)) return wrong_[index];
+            if (record_.covered[index] == 0 && !empty_in_reference(index))
+                return "nothing is seen in " + shown_as(rubric_.pictures[index]);
+        }
+        const bool same = relation && (item.expect == Expect::same || item.expect == Expect::mirrored);
+        if (same && !first_error_.empty()) return "with an error, it proves nothing that pictures are alike";
+        if (left_out_ && (!relation || item.expect == Expect::reference)) return "the error leaves out a draw";
+        return same ? unused(item) : "";
+    }
+
+    bool empty_in_reference(std::size_t picture) const {
+        if (work_.path == rubric_.reference) return true;
+        return !reference_.covered.empty() && reference_.covered[picture] == 0;
+    }
+
+    // That a uniform does not matter is no merit if nothing reads it.
+    std::string unused(const RubricItem& item) const {
         for (const std::size_t index : {item.picture, item.than})
-            if (!wrong_[index].empty()) return {0, false, wrong_[index]};
+            for (const std::string& set : rubric_.pictures[index].sets) {
+                const std::string own = with_aliases(set, rubric_, *document_);
+                const std::string name = own.substr(0, own.find('='));
+                const auto reads = [&](const snell::Control& control) {
+                    return control.active && (control.name == name || name.ends_with("." + control.name));
+                };
+                if (ranges::none_of(document_->controls.items, reads))
+                    return fmt::format("no shader uses '{}', so that it can't matter", name);
+            }
+        return {};
+    }
+
+    Judged judge_picture(const RubricItem& item) {
         const Picture& picture = *pictures_[item.picture];
         const bool against = item.expect == Expect::reference;
         const auto other = against ? reference_picture(item.picture) : pictures_[item.than];
@@ -282,19 +377,28 @@ private:
                             record_.milliseconds, ratio, reference, item.ratio)};
     }
 
-    void judge_pictures() {
+    Judged judge_item(const RubricItem& item) {
+        const std::string bar = barred(item);
+        Judged judged{0, false, bar};
+        if (bar.empty()) {
+            judged = item.kind == Kind::picture    ? judge_picture(item)
+                     : item.kind == Kind::counters ? judge_counters(item, counters_)
+                     : item.kind == Kind::time     ? judge_time(item)
+                                                   : judge_text(item, rubric_, *document_, commands_);
+            if (needs_pictures(item)) judged.points = judged.passed ? item.points : 0;
+        }
+        // The cause first. What is forbidden, and what lints find, is there with or without it.
+        const bool caused = !bar.empty() || (item.kind != Kind::forbids && item.kind != Kind::no_lints);
+        if (!judged.passed && caused && !first_error_.empty()) judged.why = first_error_ + "; " + judged.why;
+        return judged;
+    }
+
+    // Before pictures are drawn, which may end the process: what needs none.
+    void judge_items() {
         for (std::size_t i = 0; i < rubric_.items.size(); ++i) {
-            const RubricItem& item = rubric_.items[i];
-            if (!needs_pictures(item)) continue;
-            deadline_.begin(fmt::format("judging '{}'", item.name));
-            const bool empty = !pictures_[0] || accuracy::uniform(*pictures_[0]);
-            Judged judged = empty && item.kind != Kind::picture
-                                ? Judged{0, false, "its picture is empty: all of its pixels have one colour"}
-                            : item.kind == Kind::picture  ? judge_picture(item)
-                            : item.kind == Kind::counters ? judge_counters(item, counters_)
-                                                          : judge_time(item);
-            judged.points = judged.passed ? item.points : 0;
-            record_.items[i] = std::move(judged);
+            if (needs_pictures(rubric_.items[i]) && pictures_.empty()) continue;
+            deadline_.begin(fmt::format("judging '{}'", rubric_.items[i].name));
+            record_.items[i] = judge_item(rubric_.items[i]);
         }
     }
 
@@ -309,8 +413,16 @@ private:
     std::unique_ptr<Document> document_;
     std::vector<std::optional<Picture>> pictures_;
     std::vector<std::string> wrong_;  // why there is no such picture
+    std::vector<accuracy::Region> covered_;
+    Picture background_, other_;
+    Vec4 other_background_{0, 0, 0, 1};
+    std::size_t seen_ = 0;  // pixels, in all pictures
+    bool drawn_ = false;
     Counters counters_;
-    bool shaders_read_ = true;
+    Record reference_;  // if there is one, and this is not it
+    UsedCommands commands_;
+    std::string first_error_;                 // with its place; "": there is none
+    bool unread_ = false, left_out_ = false;  // by an error: a shader, a draw of what the window shows
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ struct ToJudge {
     std::string path;                   // the submission's folder, archive or scene: absolute
     std::string output;                 // an existing folder, for record and pictures: absolute
     std::string unpacked;               // where archives are unpacked: absolute; made if it is needed
-    std::string reference;              // the folder of the reference's record and pictures; "": this is the reference
+    std::string reference;              // the folder of the reference's record and pictures; "": there is none, or this is it
     double reference_milliseconds = 0;  // of the reference's frame
 };
 

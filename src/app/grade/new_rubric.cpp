@@ -76,8 +76,8 @@ public:
 
     Exit make(std::string& text) {
         deadline_.begin(fmt::format("reading '{}'", scene_));
-        const auto context = headless_context("");
-        if (!context) return exit_graphics;
+        context_ = headless_context("");
+        if (!context_) return exit_graphics;
         document_ = open_document(scene_, gl::query_caps());
         const Diagnostics& diagnostics = document_->diagnostics;
         if (diagnostics.has_errors() || !document_->runtime) {
@@ -86,8 +86,6 @@ public:
         }
         target_ = gl::make_target(side, side, 1, document_->runtime->display_pixels());
         text = begin() + uniforms() + commands() + relations() + end();
-        document_.reset();
-        target_ = {};
         return exit_fine;
     }
 
@@ -216,6 +214,7 @@ slower = 4
 
     std::string scene_, output_;
     Deadline deadline_;
+    std::unique_ptr<HeadlessContext> context_;  // outlives what is made in it
     std::unique_ptr<Document> document_;
     gl::Target target_;
 };

@@ -42,6 +42,7 @@ Json record_json(const Record& record) {
               {"milliseconds", record.milliseconds},
               {"items", Json::array()},
               {"drawn", record.drawn},
+              {"covered", record.covered},
               {"maps", record.maps},
               {"prints", prints_json(record.prints)},
               {"texts", Json::array()}};
@@ -63,6 +64,7 @@ Record from_json(const Json& json) {
     record.warnings = json.at("warnings");
     record.milliseconds = json.at("milliseconds");
     record.drawn = json.at("drawn").get<std::vector<std::string>>();
+    record.covered = json.at("covered").get<std::vector<double>>();
     record.maps = json.at("maps").get<std::vector<std::string>>();
     for (const Json& item : json.at("items"))
         record.items.push_back({item.at("points"), item.at("passed"), item.at("why")});
@@ -84,6 +86,7 @@ Record unjudged(const Rubric& rubric, const std::string& why) {
     record.problem = why;
     record.items.assign(rubric.items.size(), {0, false, "not judged: " + why});
     record.drawn.resize(rubric.pictures.size());
+    record.covered.resize(rubric.pictures.size());
     record.maps.resize(rubric.pictures.size());
     return record;
 }
@@ -100,7 +103,7 @@ Record read_record(const std::string& folder, const Rubric& rubric) {
     try {
         Record record = from_json(content::parse_json(content::whole_file(record_file(folder))));
         const bool fits = record.items.size() == rubric.items.size() && record.drawn.size() == rubric.pictures.size() &&
-                          record.maps.size() == record.drawn.size();
+                          record.covered.size() == record.drawn.size() && record.maps.size() == record.drawn.size();
         for (const Print& print : record.prints)
             if (print.text >= record.texts.size()) return {};
         return fits ? record : Record{};

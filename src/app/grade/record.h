@@ -35,6 +35,7 @@ struct Record {
     double milliseconds = 0;         // of a frame; 0: not measured
     std::vector<Judged> items;       // in the order of the rubric's
     std::vector<std::string> drawn;  // by picture of the rubric: its file next to the record; "" if it was not drawn
+    std::vector<double> covered;     // likewise, the share of its pixels on which something is drawn, without NaN
     std::vector<std::string> maps;   // likewise, of the differences from the reference
     std::vector<Print> prints;
     std::vector<SourceText> texts;

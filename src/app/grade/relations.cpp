@@ -58,8 +58,9 @@ Judged near_reference(const RubricItem& item, const PictureDifference& differenc
 Judged judge_relation(const RubricItem& item, const Picture& picture, const Picture& other,
                       const PictureDifference& difference) {
     if (item.expect == Expect::reference) return near_reference(item, difference);
-    if (accuracy::uniform(picture) && accuracy::uniform(other))
-        return {0, false, "both pictures are empty: all of their pixels have one colour"};
+    const bool alike = item.expect == Expect::same || item.expect == Expect::mirrored;
+    if (alike && accuracy::uniform(picture) && accuracy::uniform(other))
+        return {0, false, "all pixels of both pictures have one colour, so that nothing is the same"};
     if (item.expect == Expect::darker || item.expect == Expect::brighter) return light(item, picture, other);
     return changed(item, difference.share);
 }
