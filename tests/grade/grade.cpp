@@ -189,6 +189,77 @@ TEST_F(Grade, TheCauseIsToldFirst) {
     EXPECT_NE(last.find("no shader uses 'uMix'"), std::string::npos) << last;
 }
 
+TEST_F(Grade, SmallObjectsAreDifferentByTheirOwnPixels) {
+    const std::string small = with(ball, "Sphere 1", "Sphere .2"),
+                      item = "set = { uRed = 0 }\nexpect = \"different\"\n";
+    EXPECT_EQ(points(item + "by = 0.9\n", paint, small), 4) << last;
+    EXPECT_NE(last.find(" of the pixels that are drawn on differ"), std::string::npos) << last;
+    // In a part of it, which is less than a hundredth of the whole picture.
+    const std::string half = with(paint, "uRed, .2", "vN.x > .4 ? uRed : .5, .2");
+    EXPECT_EQ(points_of({item + "by = 0.15\n", item + "by = 0.5\n"}, half, small), (Points{4, 0})) << last;
+    // What is drawn in the background's colour is drawn, too.
+    const std::string text = with(small, "LookAt", "Background 0 0 0\nLookAt");
+    EXPECT_EQ(points("set = { uRed = 0 }\nthan = { uRed = 1 }\nexpect = \"different\"\nby = 0.9\n",
+                     "uniform float uRed;\nvoid main() { gl_FragColor = vec4(uRed, 0., 0., 1.); }", text),
+              4)
+        << last;
+}
+
+TEST_F(Grade, NoPixelIsNaNOrInfinite) {
+    const Items items{"expect = \"finite\"\n", "set = { uKd = 0 }\nexpect = \"finite\"\n"};
+    EXPECT_EQ(points_of(items), (Points{4, 4})) << last;
+    EXPECT_EQ(points_of(items, with(paint, "uKd * d", "uKd * d + 1. / uKd - 1. / .7")), (Points{4, 0})) << last;
+    EXPECT_NE(last.find("pixels are infinite, and none is NaN"), std::string::npos) << last;
+    EXPECT_EQ(points_of(items, with(paint, "uKd * d", "uKd * d / uKd")), (Points{4, 0})) << last;
+    EXPECT_NE(last.find("pixels of the picture 'uKd=0' are NaN"), std::string::npos) << last;
+}
+
+TEST_F(Grade, OneOfSeveralIsEnough) {
+    const std::string hidden = "expect = \"reference\", max_rmse = 0.001",
+                      reversed = "either = [{ set = { uKd = 0.2 }, " + hidden +
+                                 " },\n  { set = { uKd = 0.8 }, than = { " + "uKd = 0.2 }, " + hidden + " }]\n",
+                      same = "set = { uKd = 0.8 }\nexpect = \"reference\"\n",
+                      lines =
+                          "[[item.either]]\nneeds = [\"Torus\", \"Cone\"]\n[[item.either]]\nneeds = [\"Sphere\", "
+                          "\"Torus\"]\n";
+    EXPECT_EQ(points_of({reversed, same, lines}), (Points{4, 4, 2})) << last;
+    EXPECT_NE(page("ann").find("src=\"reference-"), std::string::npos);
+    EXPECT_EQ(points_of({reversed, same}, with(paint, "uKd * d", "(1. - uKd) * d")), (Points{4, 0})) << last;
+    EXPECT_EQ(points(reversed, with(paint, "uKd * d", "d")), 0);
+    EXPECT_NE(last.find("allowed; or: distance to the reference"), std::string::npos) << last;
+    // Each picture beside the reference's that it is compared with, and with its own map.
+    const std::string shown = page("ann");
+    for (const std::string file : {"reference-1.png", "map-0.png", "map-1.png"}) {
+        EXPECT_NE(shown.find(file), std::string::npos) << file;
+        EXPECT_TRUE(fs::exists(at("out/students/ann/" + file))) << file;
+    }
+}
+
+TEST_F(Grade, DeductionsCostPoints) {
+    folder.write("r.toml", head +
+                               "[[item]]\npoints = 4\nno_errors = true\n"
+                               "[[item]]\nname = \"Handed in in time\"\ndeduct = 1.5\nexcept = [\"ann\", \"b*\", "
+                               "\"zoe\"]\n[[item]]\ndeduct = 1\nnamed = \"ball.glib\"\n"
+                               "[[item]]\ndeduct = 9\nset = { uKd = 0 }\nexpect = \"darker\"\n");
+    scene("s/ann");
+    scene("s/bob", paint, ball, "mine.glib");
+    scene("s/eve");
+    scene("s/kim", with(paint, "uKd * d", "d"));
+    const Outcome made = grade("r.toml s -o out");
+    EXPECT_TRUE(made.says("warning: 'except' names 'zoe', but there is no such submission")) << made.output;
+    EXPECT_FALSE(made.says("reference-fails")) << made.output;
+    EXPECT_EQ(results()["points"], 4);
+    EXPECT_EQ(results()["items"][1]["points"], 0);
+    EXPECT_EQ(results()["items"][1]["deducts"], 1.5);
+    for (const auto& [name, points] : {std::pair("ann", 2.5), {"bob", 1.5}, {"eve", 4.}, {"kim", 0.}})
+        EXPECT_EQ(result(name)["points"], points) << result(name).dump(1);
+    EXPECT_EQ(result("bob")["items"][2]["points"], -1);
+    EXPECT_EQ(result("bob")["items"][2]["why"], "the scene is called mine.glib, not ball.glib");
+    EXPECT_NE(page("ann").find("<td class=\"number none\">-1.5</td>"), std::string::npos) << page("ann");
+    EXPECT_NE(page("eve").find("<td class=\"number full\">0</td>"), std::string::npos) << page("eve");
+    EXPECT_EQ(page("ann").find("b*"), std::string::npos) << "pages for students name nobody else";
+}
+
 TEST_F(Grade, ARubricWithoutAReferenceConfinesSubmissions) {
     folder.write("secret.frag", paint);
     scene("s/ann", "", with(ball, "ball.frag", "../../secret.frag"));

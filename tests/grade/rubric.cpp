@@ -105,7 +105,22 @@ TEST_F(RubricMistakes, ItemsThatCanNeitherGiveNorCostPoints) {
     item("by = 1" + set + "\"mirrored\"", 6, "'by' is a number from 0 that is less than 1");
     item("max_rmse = 0.1" + set + "\"darker\"", 1, "a rubric has no 'max_rmse' here");
     item("by = 0.1" + set + "\"reference\"", 1, "a rubric has no 'by' here");
-    item("than = { uKd = 1 }" + set + "\"reference\"", 1, "a rubric has no 'than' here");
+    item("than = { uKd = 1 }" + set + "\"finite\"", 1, "a rubric has no 'than' here");
+    item("by = 0.1" + set + "\"finite\"", 1, "a rubric has no 'by' here");
+    item("deduct = 0\nno_errors = true", 10, "'deduct' is a number more than 0");
+    item("deduct = 1\npoints = 1\nno_errors = true", 10, "the item has both 'points' and 'deduct'");
+    item("named = \"a/b.glib\"", 9, "'named' is the name of a file, without folders");
+    item("named = \"\"", 9, "'named' is the name of a file, without folders");
+    item("except = []", 10, "'except' is empty");
+    const std::string two = "'either' is a list of at least two tables";
+    item("either = []", 10, two);
+    item("either = [{ no_errors = true }]", 10, two);
+    item("either = [{ no_errors = true }, 3]", 10, two);
+    item("either = [{ no_errors = true }, {}]", 33, "the item does not say what it judges");
+    item("either = [{ no_errors = true }, { needs = \"Sphere\", points = 2 }]", 53, "a rubric has no 'points' here");
+    item("either = [{ no_errors = true }, { needs = \"Sphere\", no_errors = true }]", 33, "the item judges two things");
+    says("[[item]]\neither = [{ no_errors = true }, { needs = \"Sphere\" }]\nno_errors = true\n",
+         "r.toml:5:1: error: the item judges two things");
     item("max_rmse = 1" + set + "\"reference\"", 12, "'max_rmse' is a number from 0 that is less than 1");
     item("max_flip = 1" + set + "\"reference\"", 12, "'max_flip' is a number from 0 that is less than 1");
     item("max_pixels = 100" + set + "\"reference\"", 14, "'max_pixels' is a number from 0 that is less than 100");

@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
+#include "src/app/grade/find_scene.h"
 #include "src/app/grade/judge.h"
 #include "src/app/grade/why_ended.h"
 #include "src/app/open/complain.h"
@@ -25,6 +28,17 @@ std::optional<Rubric> rubric_of(const std::string& path) {
     diagnostics.sort();
     fmt::print(stderr, "{}", render(diagnostics, sources));
     return rubric;
+}
+
+// A name on a list that is misspelt would do nothing.
+void warn_of_lists(const Rubric& rubric, const std::vector<Submission>& submissions) {
+    for (const RubricItem& item : rubric.items)
+        for (const RubricItem* part : item.parts())
+            for (const std::string& name :
+                 part->kind == RubricItem::Kind::except ? part->names : std::vector<std::string>())
+                if (ranges::none_of(submissions, [&](const Submission& one) { return fits_pattern(one.name, name); }))
+                    fmt::print(stderr, "snell: warning: 'except' names '{}', but there is no such submission\n",
+                               utf8::printable(name));
 }
 
 // Submissions and what they are judged with, and where the results go.
@@ -67,10 +81,11 @@ private:
     // What a process has written so far does not count as judged, not even if this process is killed.
     static std::string unfinished(const std::string& key) { return "unfinished " + key; }
 
-    ToJudge work_on(const std::string& key, const std::string& path, const std::string& folder,
+    ToJudge work_on(const std::string& key, const std::string& name, const std::string& path, const std::string& folder,
                     const std::string& reference) const {
         return {&grades_.rubric,
                 unfinished(key),
+                name,
                 path,
                 folder,
                 (output_ / ".unpacked" / fs::path(folder).filename()).string(),
@@ -96,7 +111,7 @@ private:
         grades_.reference = read_record(folder, grades_.rubric);
         if (grades_.reference->key == key && !options_.again) return true;
         if (grades_.reference->key != key) remove_judged(folder);  // otherwise other parts may be reading its pictures
-        const ToJudge work = work_on(key, grades_.rubric.reference, folder, "");
+        const ToJudge work = work_on(key, "", grades_.rubric.reference, folder, "");
         bool graphics = true;
         run_apart(
             1, limits(1), [&](std::size_t) { return judge(work); },
@@ -140,7 +155,7 @@ private:
                 std::error_code error;
                 fs::create_directories(folder, error);
                 remove_judged(folder);  // pictures of an earlier run are not taken for new ones
-                const ToJudge work = work_on(graded.record.key, graded.submission.path, folder,
+                const ToJudge work = work_on(graded.record.key, graded.submission.name, graded.submission.path, folder,
                                              grades_.reference ? reference_folder(output_.string()) : "");
                 fs::remove_all(work.unpacked, error);  // of a process or run that was killed
                 return judge(work);
@@ -179,6 +194,7 @@ Exit grade(const GradeOptions& options, Grades& grades) {
     grades.rubric = std::move(*rubric);
     const auto submissions = find_submissions(options.submissions, options.output, grades.rubric);
     if (!submissions) return exit_usage;
+    warn_of_lists(grades.rubric, *submissions);
     for (std::size_t i = 0; i < submissions->size(); ++i)
         if (i % options.shards == options.shard) grades.all.push_back({(*submissions)[i], {}, false});
     return Grading(options, grades).run();

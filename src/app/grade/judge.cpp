@@ -45,7 +45,7 @@ std::string shown_as(const Shown& shown) {
 }
 
 bool needs_pictures(const RubricItem& item) {
-    return item.kind == Kind::picture || item.kind == Kind::counters || item.kind == Kind::time;
+    return item.judges(Kind::picture) || item.judges(Kind::counters) || item.judges(Kind::time);
 }
 
 // Limits for submissions: what no exercise needs is refused before it takes memory.
@@ -154,8 +154,9 @@ private:
         };
         document_ = open_document(record_.scene, caps_, nullptr, planned, {}, access_);
         const bool sliders = std::any_of(rubric_.items.begin(), rubric_.items.end(), [](const RubricItem& item) {
-            return item.kind == Kind::no_lints &&
-                   std::find(item.names.begin(), item.names.end(), "slider-without-effect") != item.names.end();
+            return ranges::any_of(item.parts(), [](const RubricItem* part) {
+                return part->kind == Kind::no_lints && ranges::count(part->names, "slider-without-effect") > 0;
+            });
         });
         if (sliders) add_idle_sliders(*document_, std::min(rubric_.timeout / 10, 2.));
         record_.messages = render(document_->diagnostics, document_->sources);
@@ -194,6 +195,7 @@ private:
         pictures_.resize(rubric_.pictures.size());
         wrong_.resize(rubric_.pictures.size());
         covered_.resize(rubric_.pictures.size());
+        infinite_.resize(rubric_.pictures.size());
         Runtime& runtime = *document_->runtime;
         const gl::Target target =
             gl::make_target(rubric_.width, rubric_.height, rubric_.samples, runtime.display_pixels());
@@ -259,6 +261,7 @@ private:
         if (floats.resize(rubric_.width, rubric_.height)) floats.draw(*document_->runtime, frame, rgba);
         for (std::size_t i = 0; 4 * i < rgba.size(); ++i)
             if (flag_of(std::span<const float, 4>(&rgba[4 * i], 4)) == Flag::nan) undefined.push_back(i);
+        if (!rgba.empty()) infinite_[index] = count_flags(rgba)[Flag::infinite];
         if (!undefined.empty())
             wrong_[index] =
                 fmt::format("{} pixel{} of {} {} NaN, whose colour is undefined", undefined.size(),
@@ -317,18 +320,18 @@ private:
     // Why an item earns nothing, whatever it judges: nothing earns nothing, and what an error took away fulfils
     // nothing; or "".
     std::string barred(const RubricItem& item) const {
-        if (drawn_ && seen_ == 0) return "nothing is seen in any of its pictures";
+        if (drawn_ && seen_ == 0 && !item.deducts) return "nothing is seen in any of its pictures";
         if (item.kind == Kind::no_lints && unread_) return "not all shaders can be read";
         if (!needs_pictures(item)) return {};
-        const bool relation = item.kind == Kind::picture;
-        for (const std::size_t index : {item.picture, item.than}) {
+        const bool relation = item.kind == Kind::picture, against = relation && item.expect == Expect::reference;
+        for (const std::size_t index : {item.picture, against ? item.picture : item.than}) {
             if (!wrong_[index].empty() && (relation || !drawn_)) return wrong_[index];
-            if (record_.covered[index] == 0 && !empty_in_reference(index))
+            if (record_.covered[index] == 0 && !empty_in_reference(against ? item.than : index))
                 return "nothing is seen in " + shown_as(rubric_.pictures[index]);
         }
         const bool same = relation && (item.expect == Expect::same || item.expect == Expect::mirrored);
         if (same && !first_error_.empty()) return "with an error, it proves nothing that pictures are alike";
-        if (left_out_ && (!relation || item.expect == Expect::reference)) return "the error leaves out a draw";
+        if (left_out_ && (!relation || against || item.expect == Expect::finite)) return "the error leaves out a draw";
         return same ? unused(item) : "";
     }
 
@@ -354,18 +357,29 @@ private:
 
     Judged judge_picture(const RubricItem& item) {
         const Picture& picture = *pictures_[item.picture];
+        if (item.expect == Expect::finite) return judge_finite(item);
         const bool against = item.expect == Expect::reference;
-        const auto other = against ? reference_picture(item.picture) : pictures_[item.than];
+        const auto other = against ? reference_picture(item.than) : pictures_[item.than];
         if (!other) return {0, false, "the reference has no such picture"};
         const Picture compared = item.expect == Expect::mirrored ? accuracy::mirrored(*other) : *other;
         const accuracy::PictureDifference difference =
             accuracy::picture_difference(picture, compared, accuracy::one_step, against);
         if (against) {
-            record_.maps[item.picture] = fmt::format("map-{}.png", item.picture);
-            write(record_.maps[item.picture],
+            record_.maps[item.map] = fmt::format("map-{}.png", item.map);
+            write(record_.maps[item.map],
                   content::encode_png(accuracy::map_image(difference.map, picture.width, picture.height)));
         }
-        return judge_relation(item, picture, compared, difference);
+        accuracy::Region covered = covered_[item.picture];
+        for (std::size_t i = 0; i < covered.size() && !against; ++i) covered[i] |= covered_[item.than][i];
+        const auto share = static_cast<double>(accuracy::count(covered)) / static_cast<double>(covered.size());
+        return judge_relation(item, picture, compared, difference, share);
+    }
+
+    // A picture with NaN does not come here.
+    Judged judge_finite(const RubricItem& item) const {
+        const std::optional<std::size_t> infinite = infinite_[item.picture];
+        if (!infinite) return {0, false, "this OpenGL does not tell which pixels are finite"};
+        return {0, *infinite == 0, fmt::format("{} pixels are infinite, and none is NaN", *infinite)};
     }
 
     Judged judge_time(const RubricItem& item) const {
@@ -377,20 +391,51 @@ private:
                             record_.milliseconds, ratio, reference, item.ratio)};
     }
 
+    // Of alternatives, the best.
     Judged judge_item(const RubricItem& item) {
+        Judged best;
+        for (const RubricItem* part : item.parts()) {
+            Judged judged = judge_part(*part);
+            if (judged.passed) return judged;
+            best.points = std::max(best.points, judged.points);
+            best.why += (best.why.empty() ? "" : "; or: ") + judged.why;
+        }
+        return best;
+    }
+
+    Judged judge_part(const RubricItem& item) {
         const std::string bar = barred(item);
         Judged judged{0, false, bar};
         if (bar.empty()) {
             judged = item.kind == Kind::picture    ? judge_picture(item)
                      : item.kind == Kind::counters ? judge_counters(item, counters_)
                      : item.kind == Kind::time     ? judge_time(item)
+                     : item.kind == Kind::named    ? judge_name(item)
+                     : item.kind == Kind::except   ? judge_list(item)
                                                    : judge_text(item, rubric_, *document_, commands_);
             if (needs_pictures(item)) judged.points = judged.passed ? item.points : 0;
         }
-        // The cause first. What is forbidden, and what lints find, is there with or without it.
-        const bool caused = !bar.empty() || (item.kind != Kind::forbids && item.kind != Kind::no_lints);
+        // The cause first. These are so with or without it.
+        const bool own = item.kind == Kind::forbids || item.kind == Kind::no_lints || item.kind == Kind::named ||
+                         item.kind == Kind::except;
+        const bool caused = !bar.empty() || !own;
         if (!judged.passed && caused && !first_error_.empty()) judged.why = first_error_ + "; " + judged.why;
         return judged;
+    }
+
+    Judged judge_name(const RubricItem& item) const {
+        const std::string name = fs::path(record_.scene).filename().string();
+        const bool right = fits_pattern(name, item.names.front());
+        return {right ? item.points : 0, right,
+                fmt::format("the scene is called {}{}", utf8::printable(name),
+                            right ? "" : fmt::format(", not {}", item.names.front()))};
+    }
+
+    Judged judge_list(const RubricItem& item) const {
+        const bool listed = !work_.name.empty() && ranges::any_of(item.names, [&](const std::string& pattern) {
+            return fits_pattern(work_.name, pattern);
+        });
+        return {listed ? 0 : item.points, !listed, listed ? "the rubric lists it" : "the rubric does not list it"};
     }
 
     // Before pictures are drawn, which may end the process: what needs none.
@@ -399,6 +444,7 @@ private:
             if (needs_pictures(rubric_.items[i]) && pictures_.empty()) continue;
             deadline_.begin(fmt::format("judging '{}'", rubric_.items[i].name));
             record_.items[i] = judge_item(rubric_.items[i]);
+            if (rubric_.items[i].deducts) record_.items[i].points -= rubric_.items[i].points;
         }
     }
 
@@ -414,6 +460,7 @@ private:
     std::vector<std::optional<Picture>> pictures_;
     std::vector<std::string> wrong_;  // why there is no such picture
     std::vector<accuracy::Region> covered_;
+    std::vector<std::optional<std::size_t>> infinite_;  // pixels; nullopt: not known
     Picture background_, other_;
     Vec4 other_background_{0, 0, 0, 1};
     std::size_t seen_ = 0;  // pixels, in all pictures

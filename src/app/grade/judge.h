@@ -12,10 +12,11 @@ namespace snell::app {
 struct ToJudge {
     const Rubric* rubric = nullptr;
     std::string key;
-    std::string path;                   // the submission's folder, archive or scene: absolute
-    std::string output;                 // an existing folder, for record and pictures: absolute
-    std::string unpacked;               // where archives are unpacked: absolute; made if it is needed
-    std::string reference;              // the folder of the reference's record and pictures; "": there is none, or this is it
+    std::string name;       // of the submission; "" for the reference
+    std::string path;       // the submission's folder, archive or scene: absolute
+    std::string output;     // an existing folder, for record and pictures: absolute
+    std::string unpacked;   // where archives are unpacked: absolute; made if it is needed
+    std::string reference;  // the folder of the reference's record and pictures; "": there is none, or this is it
     double reference_milliseconds = 0;  // of the reference's frame
 };
 

@@ -1,5 +1,6 @@
 #include "src/app/grade/record.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -78,7 +79,7 @@ Record from_json(const Json& json) {
 double Record::points() const {
     double sum = 0;
     for (const Judged& item : items) sum += item.points;
-    return sum;
+    return std::max(0., sum);
 }
 
 Record unjudged(const Rubric& rubric, const std::string& why) {
@@ -87,7 +88,7 @@ Record unjudged(const Rubric& rubric, const std::string& why) {
     record.items.assign(rubric.items.size(), {0, false, "not judged: " + why});
     record.drawn.resize(rubric.pictures.size());
     record.covered.resize(rubric.pictures.size());
-    record.maps.resize(rubric.pictures.size());
+    record.maps.resize(rubric.maps);
     return record;
 }
 
@@ -103,7 +104,7 @@ Record read_record(const std::string& folder, const Rubric& rubric) {
     try {
         Record record = from_json(content::parse_json(content::whole_file(record_file(folder))));
         const bool fits = record.items.size() == rubric.items.size() && record.drawn.size() == rubric.pictures.size() &&
-                          record.covered.size() == record.drawn.size() && record.maps.size() == record.drawn.size();
+                          record.covered.size() == record.drawn.size() && record.maps.size() == rubric.maps;
         for (const Print& print : record.prints)
             if (print.text >= record.texts.size()) return {};
         return fits ? record : Record{};

@@ -10,7 +10,7 @@
 namespace snell::app {
 
 struct Judged {
-    double points = 0;
+    double points = 0;    // of a deduction: 0 or less
     bool passed = false;  // all points
     std::string why;      // what was deducted and why, or what was measured
 };
@@ -36,7 +36,7 @@ struct Record {
     std::vector<Judged> items;       // in the order of the rubric's
     std::vector<std::string> drawn;  // by picture of the rubric: its file next to the record; "" if it was not drawn
     std::vector<double> covered;     // likewise, the share of its pixels on which something is drawn, without NaN
-    std::vector<std::string> maps;   // likewise, of the differences from the reference
+    std::vector<std::string> maps;   // by RubricItem::map: the file of the differences from the reference; ""
     std::vector<Print> prints;
     std::vector<SourceText> texts;
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace snell::app {
 
 namespace {
@@ -26,11 +28,12 @@ Judged light(const RubricItem& item, const Picture& picture, const Picture& othe
     return judged;
 }
 
-Judged changed(const RubricItem& item, double share) {
+Judged changed(const RubricItem& item, double share, double covered) {
     Judged judged;
     const bool same = item.expect != Expect::different;
+    if (!same && covered > 0) share = std::min(1., share / covered);
     judged.passed = same ? share <= item.by : share >= item.by && share > 0;
-    judged.why = fmt::format("{} of the pixels differ", percent(share));
+    judged.why = fmt::format("{} of the pixels{} differ", percent(share), same ? "" : " that are drawn on");
     if (!judged.passed) judged.why += fmt::format("; expected: at {} {}", same ? "most" : "least", percent(item.by));
     return judged;
 }
@@ -56,13 +59,13 @@ Judged near_reference(const RubricItem& item, const PictureDifference& differenc
 }  // namespace
 
 Judged judge_relation(const RubricItem& item, const Picture& picture, const Picture& other,
-                      const PictureDifference& difference) {
+                      const PictureDifference& difference, double covered) {
     if (item.expect == Expect::reference) return near_reference(item, difference);
     const bool alike = item.expect == Expect::same || item.expect == Expect::mirrored;
     if (alike && accuracy::uniform(picture) && accuracy::uniform(other))
         return {0, false, "all pixels of both pictures have one colour, so that nothing is the same"};
     if (item.expect == Expect::darker || item.expect == Expect::brighter) return light(item, picture, other);
-    return changed(item, difference.share);
+    return changed(item, difference.share, covered);
 }
 
 }  // namespace snell::app

@@ -43,8 +43,8 @@ std::string row_of_table(const Rubric& rubric, const GradedSubmission& graded) {
     for (std::size_t i = 0; i < rubric.items.size(); ++i) {
         const Judged& item = record.items[i];
         row += fmt::format("<td class=\"number {}\" data-key=\"{}\" title=\"{}\">{}</td>",
-                           class_of(item.points, rubric.items[i].points), item.points, shown_text(item.why),
-                           points_text(item.points));
+                           class_of(rubric.items[i].left(item.points), rubric.items[i].points), item.points,
+                           shown_text(item.why), points_text(item.points));
     }
     return row + fmt::format("<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n", record.errors,
                              record.warnings);
@@ -114,8 +114,10 @@ std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs
     body += "<div class=\"wide\"><table><thead><tr><th scope=\"col\">Picture</th>" + heading("Submission", "", false) +
             heading("Points", "", true);
     for (const RubricItem& item : rubric.items)
-        body +=
-            heading(item.name, fmt::format("<br><span class=\"quiet\">of {}</span>", points_text(item.points)), true);
+        body += heading(item.name,
+                        fmt::format("<br><span class=\"quiet\">{} {}</span>", item.deducts ? "deducts" : "of",
+                                    points_text(item.points)),
+                        true);
     body += heading("Errors", "", true) + heading("Warnings", "", true) + "</tr></thead><tbody>\n";
     for (const GradedSubmission& graded : grades.all) body += row_of_table(rubric, graded);
     body += "</tbody></table></div>\n" + alike_table(grades, pairs);

@@ -24,9 +24,9 @@ std::string items_table(const Rubric& rubric, const Record& record) {
     for (std::size_t i = 0; i < rubric.items.size(); ++i) {
         const RubricItem& item = rubric.items[i];
         const Judged& judged = record.items[i];
-        text += fmt::format("<tr><td>{}</td><td class=\"number {}\">{} of {}</td><td>{}</td></tr>\n",
-                            shown_text(item.name), class_of(judged.points, item.points), points_text(judged.points),
-                            points_text(item.points), shown_text(judged.why));
+        text += fmt::format("<tr><td>{}</td><td class=\"number {}\">{}{}</td><td>{}</td></tr>\n", shown_text(item.name),
+                            class_of(item.left(judged.points), item.points), points_text(judged.points),
+                            item.deducts ? "" : " of " + points_text(item.points), shown_text(judged.why));
     }
     return text + "</tbody></table></div>\n";
 }
@@ -43,27 +43,30 @@ std::string figure(std::string_view file, std::string_view text, const Rubric& r
 }
 
 // The submission's picture at the left of the slider, the reference's at the right.
-std::string beside_reference(const Rubric& rubric, const Record& record, std::size_t picture) {
+std::string beside_reference(const Rubric& rubric, const Record& record, const RubricItem& item) {
     return fmt::format(
         "<div class=\"pictures\"><figure><div class=\"over\"><img alt=\"Submission\" src=\"{}\" width=\"{}\" "
         "height=\"{}\"><img alt=\"Reference\" src=\"reference-{}.png\" width=\"{}\" height=\"{}\"></div><input "
         "type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"Where the reference begins\"><figcaption>left: "
         "submission, right: reference</figcaption></figure>{}</div>\n",
-        record.drawn[picture], rubric.width, rubric.height, picture, rubric.width, rubric.height,
-        figure(record.maps[picture], "difference (FLIP): black is none", rubric));
+        record.drawn[item.picture], rubric.width, rubric.height, item.than, rubric.width, rubric.height,
+        figure(record.maps[item.map], "difference (FLIP): black is none", rubric));
 }
 
 std::string pictures(const Rubric& rubric, const Record& record) {
     std::string text = "<h2>Pictures</h2>\n";
     if (record.drawn.front().empty()) return text + "<p>There are none.</p>\n";
     std::vector<bool> told(rubric.pictures.size());
-    for (std::size_t i = 0; i < rubric.items.size(); ++i) {
-        const RubricItem& item = rubric.items[i];
+    std::vector<const RubricItem*> all;
+    for (const RubricItem& item : rubric.items)
+        for (const RubricItem* part : item.parts()) all.push_back(part);
+    for (const RubricItem* part : all) {
+        const RubricItem& item = *part;
         if (item.kind != RubricItem::Kind::picture || record.drawn[item.picture].empty()) continue;
         told[item.picture] = true;
         text += fmt::format("<h3>{}</h3>\n", shown_text(item.name));
-        if (item.expect == Expect::reference && !record.maps[item.picture].empty())
-            text += beside_reference(rubric, record, item.picture);
+        if (item.expect == Expect::reference && !record.maps[item.map].empty())
+            text += beside_reference(rubric, record, item);
         if (item.expect == Expect::reference || record.drawn[item.than].empty()) continue;
         told[item.than] = true;
         text += "<div class=\"pictures\">" + figure(record.drawn[item.picture], caption(rubric, item.picture), rubric) +

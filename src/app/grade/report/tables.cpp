@@ -50,7 +50,7 @@ std::string results_json(const Grades& grades, const std::vector<AlikePair>& pai
               {"submissions", Json::array()},
               {"similar", Json::array()}};
     for (const RubricItem& item : grades.rubric.items)
-        json["items"].push_back({{"name", item.name}, {"points", item.points}});
+        json["items"].push_back({{"name", item.name}, {"points", item.most()}, {"deducts", item.points - item.most()}});
     for (const GradedSubmission& graded : grades.all) {
         const Record& record = graded.record;
         Json one{{"name", graded.submission.name}, {"folder", "students/" + graded.submission.folder},

@@ -52,11 +52,22 @@ public:
     ItemReader(const TomlValue& value, Rubric& rubric, Diagnostics& diagnostics)
         : value_(value), rubric_(rubric), diagnostics_(diagnostics), table_(value, diagnostics) {}
 
-    // Exactly one of the keys says what the item judges.
     void read() {
-        const std::size_t errors = diagnostics_.errors();
         table_.read("name", item_.name);
         table_.read("points", item_.points, above_0);
+        if (const TomlValue* deduct = table_.find("deduct", TomlKind::number)) {
+            if (table_.find("points")) wrong(deduct->span, "the item has both 'points' and 'deduct'");
+            table_.read("deduct", item_.points, above_0);
+            item_.deducts = true;
+        }
+        if (const TomlValue* either = table_.find("either", TomlKind::list)) read_either(*either);
+        if (read_judged()) rubric_.items.push_back(std::move(item_));
+    }
+
+private:
+    // Exactly one of the keys says what the item judges.
+    bool read_judged() {
+        const std::size_t errors = diagnostics_.errors();
         read_names();
         read_tables();
         if (const TomlValue* slower = table_.find("slower", TomlKind::number)) {
@@ -71,14 +82,27 @@ public:
             judges(ItemKind::picture, fmt::format("{}: {}", label.empty() ? "As it is" : label, expect->text));
         }
         table_.done();
-        if (judged_ > 1 || (judged_ == 0 && diagnostics_.errors() == errors))
-            return wrong(value_.span,
-                         judged_ == 0 ? "the item does not say what it judges" : "the item judges two things",
-                         "one of: no_errors, no_lints, uniforms, needs, forbids, expect, counters, slower");
-        rubric_.items.push_back(std::move(item_));
+        if (judged_ <= 1 && (judged_ == 1 || diagnostics_.errors() > errors)) return true;
+        wrong(value_.span, judged_ == 0 ? "the item does not say what it judges" : "the item judges two things",
+              "one of: no_errors, no_lints, uniforms, needs, forbids, expect, counters, slower, named, except, either");
+        return false;
     }
 
-private:
+    void read_either(const TomlValue& list) {
+        for (const TomlValue& one : list.list) {
+            if (one.kind != TomlKind::table) continue;
+            ItemReader part(one, rubric_, diagnostics_);
+            part.item_.points = item_.points;
+            if (part.read_judged()) item_.either.push_back(std::move(part.item_));
+        }
+        if (list.list.size() < 2 ||
+            !ranges::all_of(list.list, [](const auto& one) { return one.kind == TomlKind::table; }))
+            wrong(list.span, "'either' is a list of at least two tables, each of which says what it judges");
+        std::vector<std::string> names;
+        for (const RubricItem& part : item_.either) names.push_back(part.name);
+        judges(ItemKind::either, fmt::format("{}", fmt::join(names, ", or ")));
+    }
+
     void wrong(Span span, std::string message, std::string help = {}) {
         wrong_value(diagnostics_, span, std::move(message), std::move(help));
     }
@@ -99,6 +123,17 @@ private:
             item_.names = known_names("no_lints", "lint", lints);
             table_.read("each", item_.each, above_0);
             judges(ItemKind::no_lints, fmt::format("No {}", fmt::join(item_.names, ", ")));
+        }
+        if (const TomlValue* named = table_.find("named", TomlKind::text)) {
+            item_.names = {named->text};
+            judges(ItemKind::named, fmt::format("The scene is called {}", named->text));
+            if (named->text.empty() || named->text.find('/') != std::string::npos)
+                wrong(named->span, "'named' is the name of a file, without folders");
+        }
+        if (const TomlValue* except = table_.find("except")) {
+            item_.names = table_.texts("except");
+            judges(ItemKind::except, "Not one of the rubric's list");  // pages of students name no others
+            if (except->kind == TomlKind::list && except->list.empty()) empty(*except, "except", "submission");
         }
         for (const auto& [key, kind, text] :
              {std::tuple("needs", ItemKind::needs, "Uses"), std::tuple("forbids", ItemKind::forbids, "Does without")})
@@ -212,6 +247,7 @@ private:
 
     // The keys that say how near or far the pictures are.
     void read_limits() {
+        if (item_.expect == Expect::finite) return;
         if (item_.expect == Expect::reference) {
             table_.read("max_rmse", item_.max_rmse, below_1);
             table_.read("max_flip", item_.max_flip, below_1);
@@ -238,8 +274,9 @@ private:
         }
         item_.expect = static_cast<Expect>(found - names.begin());
         read_limits();
-        Shown own = shown("set"), other;
-        if (item_.expect != Expect::reference) other = shown("than");
+        const bool against = item_.expect == Expect::reference, one = item_.expect == Expect::finite;
+        Shown own = shown("set"), other = own;
+        if (!one && (!against || table_.find("than"))) other = shown("than");
         table_.read("time", own.time, from_0);
         if (const TomlValue* view = table_.find("view", TomlKind::text)) {
             View parsed;
@@ -249,11 +286,12 @@ private:
         other.time = own.time;
         other.view = own.view;
         item_.picture = picture(own);
-        item_.than = item_.expect == Expect::reference ? item_.picture : picture(other);
-        if (item_.expect == Expect::reference && rubric_.reference.empty())
+        item_.than = picture(other);
+        if (against) item_.map = rubric_.maps++;
+        if (against && rubric_.reference.empty())
             wrong(expect.span, "the rubric has no 'reference' to compare with",
                   "add a line at the top: reference = \"my-scene.glib\"");
-        if (item_.expect != Expect::reference && item_.expect != Expect::mirrored && item_.picture == item_.than)
+        if (!against && !one && item_.expect != Expect::mirrored && item_.picture == item_.than)
             wrong(expect.span, "the picture would be compared with itself",
                   "'set' gives it values that differ from the scene's own, or from those of 'than'");
     }

@@ -146,17 +146,28 @@ std::string Shown::label() const {
 
 double Rubric::points() const {
     double sum = 0;
-    for (const RubricItem& item : items) sum += item.points;
+    for (const RubricItem& item : items) sum += item.most();
     return sum;
 }
 
+std::vector<const RubricItem*> RubricItem::parts() const {
+    if (kind != Kind::either) return {this};
+    std::vector<const RubricItem*> all;
+    for (const RubricItem& part : either) all.push_back(&part);
+    return all;
+}
+
+bool RubricItem::judges(Kind what) const {
+    return ranges::any_of(parts(), [what](const RubricItem* part) { return part->kind == what; });
+}
+
 bool Rubric::judges(RubricItem::Kind kind) const {
-    return ranges::any_of(items, [kind](const RubricItem& item) { return item.kind == kind; });
+    return ranges::any_of(items, [kind](const RubricItem& item) { return item.judges(kind); });
 }
 
 const std::vector<std::string_view>& expect_names() {
-    static const std::vector<std::string_view> names{"darker", "brighter", "different",
-                                                     "same",   "mirrored", "reference"};
+    static const std::vector<std::string_view> names{"darker",   "brighter",  "different", "same",
+                                                     "mirrored", "reference", "finite"};
     return names;
 }
 

@@ -30,23 +30,33 @@ struct Bounds {
     std::optional<double> least, most;
 };
 
-enum class Expect { darker, brighter, different, same, mirrored, reference };
+enum class Expect { darker, brighter, different, same, mirrored, reference, finite };
 
 // One row of the rubric.
 struct RubricItem {
-    enum class Kind { no_errors, no_lints, uniforms, needs, forbids, picture, counters, time };
+    enum class Kind { no_errors, no_lints, uniforms, needs, forbids, picture, counters, time, named, except, either };
     std::string name;
     double points = 1;
+    bool deducts = false;  // these points are lost if it fails, and not won otherwise
     Kind kind = Kind::no_errors;
-    std::vector<std::string> names;  // codes of lints, or commands
+    std::vector<std::string> names;  // codes of lints, commands, or patterns of names
     std::optional<double> each;      // points that each lint costs; nullopt: all
     std::vector<NeededUniform> uniforms;
     std::vector<Bounds> counters;
     double ratio = 1;  // of the reference's time
     Expect expect = Expect::reference;
-    std::size_t picture = 0, than = 0;                     // indices into Rubric::pictures
+    std::size_t picture = 0, than = 0;                     // indices into Rubric::pictures; than: of the reference's
+    std::size_t map = 0;                                   // of the differences from the reference: Record::maps
     double by = 0;                                         // threshold of the relation, a share
     std::optional<double> max_rmse, max_flip, max_pixels;  // the last in per cent
+    std::vector<RubricItem> either;                        // one of these is enough; they have its points
+
+    // Itself, or what it is one of.
+    std::vector<const RubricItem*> parts() const;
+    bool judges(Kind what) const;
+    double most() const { return deducts ? 0 : points; }
+    // Of the points that are at stake, those that are left.
+    double left(double judged) const { return deducts ? points + judged : judged; }
 };
 
 struct Rubric {
@@ -58,6 +68,7 @@ struct Rubric {
     double timeout = 10;  // in seconds, for reading a scene and for a picture
     std::map<std::string, std::vector<std::string>> aliases;
     std::vector<RubricItem> items;
+    std::size_t maps = 0;
     std::vector<Shown> pictures;  // the first one has the scene's own values
     std::string text;
 
