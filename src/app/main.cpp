@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <new>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -20,21 +19,12 @@
 #include "src/app/open/color.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
+#include "src/app/open/memory.h"
 
 namespace {
 
 using namespace snell;
 using namespace snell::app;
-
-// The process ends on whatever thread this happens, because exceptions would have to pass through drivers and
-// libraries. No file is left incomplete: files are written whole or not at all.
-void out_of_memory() {
-    constexpr std::string_view text =
-        "snell: error: out of memory [out-of-memory]\n   help: the scene asks for more than there is; --limit and "
-        "--size ask for less\n";
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
-    _exit(exit_input);
-}
 
 // Standard output may be on a full disk. One that is painted holds a line back until its end, which the last may lack.
 int printed(int status, bool painted) {
@@ -66,7 +56,7 @@ bool choose_colors(const std::string& when) {
 int main(int argc, char** argv) {
     // Without this, a file that grows beyond its limit would end the process; now writing it fails.
     std::signal(SIGXFSZ, SIG_IGN);
-    std::set_new_handler(out_of_memory);
+    watch_memory();
     CLI::App program;
     Request request;
     const std::string_view first = first_word(argc, argv);
@@ -94,6 +84,7 @@ int main(int argc, char** argv) {
     try {
         return printed(request.run(), painted);
     } catch (const std::exception& error) {
+        if (short_of_memory()) out_of_memory();  // a thread that gets no stack, for example
         return complain(exit_input, error.what());
     }
 }

@@ -1,8 +1,11 @@
 #include "src/platform/headless.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 
 #include <array>
+#include <climits>
+#include <filesystem>
 #include <vector>
 
 namespace snell {
@@ -90,7 +93,11 @@ std::unique_ptr<HeadlessContext> HeadlessContext::make(const ContextRequest& req
 }
 
 std::unique_ptr<HeadlessContext> HeadlessContext::make_one(const ContextRequest& request, std::string& error) {
-    error = "EGL supports neither the surfaceless nor the device platform; install Mesa's EGL driver";
+    if (!dlopen("libEGL.so.1", RTLD_LAZY)) {  // without it, libepoxy ends the process
+        error = "EGL cannot be loaded";
+        return nullptr;
+    }
+    error = "EGL supports neither the surfaceless nor the device platform";
     for (const Attempt& attempt : displays()) {
         EGLint major = 0, minor = 0;
         if (attempt.display == EGL_NO_DISPLAY || !eglInitialize(attempt.display, &major, &minor)) {
@@ -110,6 +117,18 @@ std::unique_ptr<HeadlessContext> HeadlessContext::make_one(const ContextRequest&
         eglTerminate(attempt.display);
     }
     return nullptr;
+}
+
+std::string HeadlessContext::missing_package() {
+    if (!dlopen("libEGL.so.1", RTLD_LAZY)) return "EGL (Debian: libegl1)";
+    void* mesa = dlopen("libEGL_mesa.so.0", RTLD_LAZY);
+    if (!mesa) return "Mesa's EGL (Debian: libegl-mesa0)";
+    std::array<char, PATH_MAX> folder{};
+    std::error_code none;
+    if (dlinfo(mesa, RTLD_DI_ORIGIN, folder.data()) != 0) return {};
+    return std::filesystem::exists(std::filesystem::path(folder.data()) / "dri/swrast_dri.so", none)
+               ? ""
+               : "Mesa's drivers (Debian: libgl1-mesa-dri)";
 }
 
 bool HeadlessContext::make_current() {

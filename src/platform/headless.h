@@ -19,6 +19,9 @@ class HeadlessContext {
 public:
     // Returns null and sets `error` if no such context can be made.
     static std::unique_ptr<HeadlessContext> make(const ContextRequest& request, std::string& error);
+    // The part of EGL that make() needs and that is not installed, for people, with Debian's name for it; "": all is
+    // there.
+    static std::string missing_package();
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;

@@ -47,6 +47,21 @@ TEST_F(Faults, WithoutEglEveryCommandThatDrawsSaysSo) {
     EXPECT_FALSE(fs::exists(at("o.png")) || fs::exists(at("o.glib")));
 }
 
+// The advice names what is missing, and nothing that is there.
+TEST_F(Faults, WithoutGraphicsTheAdviceFitsTheCause) {
+    folder.write("libEGL.so.1", "");
+    const Outcome none = snell("info", "LD_LIBRARY_PATH=" + at(""));
+    EXPECT_EQ(none.status, 3) << none.output;
+    EXPECT_TRUE(none.says("(Debian: libegl1)")) << none.output;
+    if (!graphics_) GTEST_SKIP() << "no graphics";
+    for (const std::string& hidden : {std::string(no_egl), std::string("LIBGL_DRIVERS_PATH=/nonexistent")}) {
+        const Outcome refused = snell("info", hidden);
+        EXPECT_EQ(refused.status, 3) << refused.output;
+        EXPECT_TRUE(refused.says("LIBGL_DRIVERS_PATH")) << refused.output;
+        EXPECT_FALSE(refused.says("(Debian:")) << refused.output;
+    }
+}
+
 // What can be said without a driver is said.
 TEST_F(Faults, WithoutEglScenesAreChecked) {
     const Outcome fine = snell("check " + scene(), no_egl);
@@ -139,6 +154,21 @@ TEST_F(Faults, WithoutMemoryItSaysSo) {
     EXPECT_EQ(out.status, 1) << out.output;
     EXPECT_TRUE(out.says("out of memory") && out.says("help:")) << out.output;
     EXPECT_FALSE(fs::exists(at("o.png")));
+}
+
+// The driver itself ends by signals where it gets no memory: in its threads, in LLVM, and where it forgets to look.
+TEST_F(Faults, WithLittleAddressSpaceItSaysSo) {
+    if (sanitized) GTEST_SKIP() << no_bound;
+    const std::string scene = "scenes/light/glass/glass.glib";
+    for (const std::string& command : {"render --size 64x64 " + scene + " -o " + at("o.png"), "check " + scene,
+                                       "explain --no-time " + scene, "accuracy --budget 1 --size 32x32 " + scene}) {
+        for (int kilobytes = 180000; kilobytes <= 660000; kilobytes += 40000) {
+            const Outcome out = run("ulimit -c 0; ulimit -v " + std::to_string(kilobytes) +
+                                    "; env -u DISPLAY -u WAYLAND_DISPLAY " SNELL_BIN "/snell " + command);
+            const bool told = out.says("out of memory") || out.says("[out-of-graphics-memory]");
+            EXPECT_TRUE(out.status == 0 || (out.status == 1 && told)) << kilobytes << ' ' << command << out.output;
+        }
+    }
 }
 
 // What llvmpipe leaves out, and does not tell, is told where it is known.

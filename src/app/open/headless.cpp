@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "src/app/open/complain.h"
+#include "src/app/open/memory.h"
 #include "src/gl/debug.h"
 
 namespace snell::app {
@@ -27,11 +28,17 @@ std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
 #endif
     std::string error;
     auto context = HeadlessContext::make(request, error);
-    const bool old = error.find("context") != std::string::npos;
-    if (!context)
+    if (!context) {
+        if (short_of_memory()) out_of_memory();
+        const bool old = error.find("context") != std::string::npos;
+        const std::string missing = HeadlessContext::missing_package();
         complain("no graphics: " + error,
                  old ? "snell needs OpenGL 3.3 or OpenGL ES 3.0, or the version that --context asks for"
-                     : "install Mesa's EGL (Debian: libegl1, libgl1-mesa-dri)");
+                 : missing.empty()
+                     ? "Mesa's EGL and drivers are installed; a variable such as LIBGL_DRIVERS_PATH may hide "
+                       "them, and EGL_LOG_LEVEL=debug prints more"
+                     : fmt::format("{} is missing: install it", missing));
+    }
     static const gl::MessageReport print = [](const char* message) {
         complain(fmt::format("OpenGL driver: {}", message));
     };

@@ -1,0 +1,58 @@
+#include "src/app/open/memory.h"
+
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <new>
+#include <string_view>
+
+#include "src/app/open/exit_status.h"
+
+namespace snell::app {
+
+namespace {
+
+constexpr std::size_t taken_at_once = std::size_t{64} << 20;  // stacks of threads, and LLVM's code
+
+// Calls nothing that takes memory or locks.
+void ended_by_driver(int signal) {
+    if (short_of_memory()) out_of_memory();
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+}
+
+}  // namespace
+
+bool short_of_memory() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+    void* probe = mmap(nullptr, taken_at_once, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (probe == MAP_FAILED) return true;
+    munmap(probe, taken_at_once);
+    return false;
+}
+
+void out_of_memory() {
+    constexpr std::string_view less =
+        "snell: error: out of memory [out-of-memory]\n   help: the scene asks for more than there is; --limit and "
+        "--size ask for less\n";
+    constexpr std::string_view more =
+        "snell: error: out of memory [out-of-memory]\n   help: the limit of address space ('ulimit -v') is too low: an "
+        "OpenGL driver alone may take 700000 kB\n";
+    const std::string_view text = short_of_memory() ? more : less;
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+    _exit(exit_input);
+}
+
+void watch_memory() {
+    std::set_new_handler(out_of_memory);
+    for (const int signal : {SIGSEGV, SIGABRT, SIGBUS}) {
+        struct sigaction now {};
+        // Sanitizers have their own.
+        if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::signal(signal, ended_by_driver);
+    }
+}
+
+}  // namespace snell::app
