@@ -29,7 +29,7 @@ std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
     std::string error;
     auto context = HeadlessContext::make(request, error);
     if (!context) {
-        if (short_of_memory()) out_of_memory();
+        if (short_of_memory(whole_driver)) out_of_memory();
         const bool old = error.find("context") != std::string::npos;
         const std::string missing = HeadlessContext::missing_package();
         complain("no graphics: " + error,

@@ -14,8 +14,6 @@ namespace snell::app {
 
 namespace {
 
-constexpr std::size_t taken_at_once = std::size_t{64} << 20;  // stacks of threads, and LLVM's code
-
 // Calls nothing that takes memory or locks.
 void ended_by_driver(int signal) {
     if (short_of_memory()) out_of_memory();
@@ -25,12 +23,12 @@ void ended_by_driver(int signal) {
 
 }  // namespace
 
-bool short_of_memory() {
+bool short_of_memory(std::size_t bytes) {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
-    void* probe = mmap(nullptr, taken_at_once, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* probe = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (probe == MAP_FAILED) return true;
-    munmap(probe, taken_at_once);
+    munmap(probe, bytes);
     return false;
 }
 
@@ -41,7 +39,8 @@ void out_of_memory() {
     constexpr std::string_view more =
         "snell: error: out of memory [out-of-memory]\n   help: the limit of address space ('ulimit -v') is too low: an "
         "OpenGL driver alone may take 700000 kB\n";
-    const std::string_view text = short_of_memory() ? more : less;
+    rlimit limit{};
+    const std::string_view text = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < 1U << 30U ? more : less;
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
     _exit(exit_input);
 }
