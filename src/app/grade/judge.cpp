@@ -379,7 +379,8 @@ private:
     Judged judge_finite(const RubricItem& item) const {
         const std::optional<std::size_t> infinite = infinite_[item.picture];
         if (!infinite) return {0, false, "this OpenGL does not tell which pixels are finite"};
-        return {0, *infinite == 0, fmt::format("{} pixels are infinite, and none is NaN", *infinite)};
+        return {0, *infinite == 0,
+                *infinite == 0 ? "no pixel is NaN or infinite" : fmt::format("{} pixels are infinite", *infinite)};
     }
 
     Judged judge_time(const RubricItem& item) const {
@@ -391,19 +392,22 @@ private:
                             record_.milliseconds, ratio, reference, item.ratio)};
     }
 
-    // Of alternatives, the best.
+    // Of alternatives, the best. The cause first.
     Judged judge_item(const RubricItem& item) {
         Judged best;
+        bool caused = false;
         for (const RubricItem* part : item.parts()) {
-            Judged judged = judge_part(*part);
+            Judged judged = judge_part(*part, caused);
             if (judged.passed) return judged;
             best.points = std::max(best.points, judged.points);
             best.why += (best.why.empty() ? "" : "; or: ") + judged.why;
         }
+        if (caused && !first_error_.empty()) best.why = first_error_ + "; " + best.why;
         return best;
     }
 
-    Judged judge_part(const RubricItem& item) {
+    // `caused`: it may have failed because of an error.
+    Judged judge_part(const RubricItem& item, bool& caused) {
         const std::string bar = barred(item);
         Judged judged{0, false, bar};
         if (bar.empty()) {
@@ -415,11 +419,9 @@ private:
                                                    : judge_text(item, rubric_, *document_, commands_);
             if (needs_pictures(item)) judged.points = judged.passed ? item.points : 0;
         }
-        // The cause first. These are so with or without it.
         const bool own = item.kind == Kind::forbids || item.kind == Kind::no_lints || item.kind == Kind::named ||
-                         item.kind == Kind::except;
-        const bool caused = !bar.empty() || !own;
-        if (!judged.passed && caused && !first_error_.empty()) judged.why = first_error_ + "; " + judged.why;
+                         item.kind == Kind::except;  // so with or without one
+        caused = caused || !bar.empty() || !own;
         return judged;
     }
 
@@ -435,7 +437,8 @@ private:
         const bool listed = !work_.name.empty() && ranges::any_of(item.names, [&](const std::string& pattern) {
             return fits_pattern(work_.name, pattern);
         });
-        return {listed ? 0 : item.points, !listed, listed ? "the rubric lists it" : "the rubric does not list it"};
+        return {listed ? 0 : item.points, !listed,
+                listed ? "it is on the rubric's list" : "it is not on the rubric's list"};
     }
 
     // Before pictures are drawn, which may end the process: what needs none.

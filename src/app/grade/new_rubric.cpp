@@ -57,7 +57,7 @@ timeout = 10               # seconds for reading a scene, and for each picture
 [aliases]
 # uKd = ["Kd", "uDiffuse"]
 
-# Each [[item]] is worth its points, and judges one thing.
+# Each [[item]] is worth its points, and judges one thing. With `deduct` in place of `points` it costs them if it fails.
 [[item]]
 name = "The scene reads without errors"
 points = 2

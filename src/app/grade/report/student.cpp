@@ -53,25 +53,30 @@ std::string beside_reference(const Rubric& rubric, const Record& record, const R
         figure(record.maps[item.map], "difference (FLIP): black is none", rubric));
 }
 
+// The pictures that an item, or one of its alternatives, compares.
+std::string compared(const Rubric& rubric, const Record& record, const RubricItem& item, std::vector<bool>& told) {
+    const bool against = item.expect == Expect::reference;
+    told[item.picture] = true;
+    if (against && !record.maps[item.map].empty()) return beside_reference(rubric, record, item);
+    std::string text =
+        "<div class=\"pictures\">" + figure(record.drawn[item.picture], caption(rubric, item.picture), rubric);
+    if (!against && item.than != item.picture && !record.drawn[item.than].empty()) {
+        told[item.than] = true;
+        text += figure(record.drawn[item.than], caption(rubric, item.than), rubric);
+    }
+    return text + "</div>\n";
+}
+
 std::string pictures(const Rubric& rubric, const Record& record) {
     std::string text = "<h2>Pictures</h2>\n";
     if (record.drawn.front().empty()) return text + "<p>There are none.</p>\n";
     std::vector<bool> told(rubric.pictures.size());
-    std::vector<const RubricItem*> all;
     for (const RubricItem& item : rubric.items)
-        for (const RubricItem* part : item.parts()) all.push_back(part);
-    for (const RubricItem* part : all) {
-        const RubricItem& item = *part;
-        if (item.kind != RubricItem::Kind::picture || record.drawn[item.picture].empty()) continue;
-        told[item.picture] = true;
-        text += fmt::format("<h3>{}</h3>\n", shown_text(item.name));
-        if (item.expect == Expect::reference && !record.maps[item.map].empty())
-            text += beside_reference(rubric, record, item);
-        if (item.expect == Expect::reference || record.drawn[item.than].empty()) continue;
-        told[item.than] = true;
-        text += "<div class=\"pictures\">" + figure(record.drawn[item.picture], caption(rubric, item.picture), rubric) +
-                figure(record.drawn[item.than], caption(rubric, item.than), rubric) + "</div>\n";
-    }
+        for (const RubricItem* part : item.parts()) {
+            if (part->kind != RubricItem::Kind::picture || record.drawn[part->picture].empty()) continue;
+            const std::string of_it = part == &item ? "" : " (" + part->name + ")";
+            text += fmt::format("<h3>{}</h3>\n", shown_text(item.name + of_it)) + compared(rubric, record, *part, told);
+        }
     if (told.front()) return text;
     return text + "<div class=\"pictures\">" + figure(record.drawn.front(), caption(rubric, 0), rubric) + "</div>\n";
 }
