@@ -56,31 +56,31 @@ std::vector<std::string> scenes_around(const fs::path& shader) {
     return scenes;
 }
 
-bool names(const std::string& scene, const std::string& stem, const Access& access) {
-    Files files("", access);
+bool names(const std::string& scene, const std::string& stem) {
+    Files files("");
     std::string error;
     const auto text = files.read(scene, error);
     return text && contains(*text, stem);
 }
 
-bool belongs(const std::string& scene, const std::string& shader, const Access& access) {
-    return read_project(scene, access, Depth::plan).file_of(shader).has_value();
+bool belongs(const std::string& scene, const std::string& shader) {
+    return read_project(scene, {}, Depth::plan).file_of(shader).has_value();
 }
 
 }  // namespace
 
-std::string find_scene(const std::string& shader_path, const Access& access) {
+std::string find_scene(const std::string& shader_path) {
     const std::string stem = fs::path(shader_path).stem().string();
     std::vector<std::string> others;
     for (const std::string& scene : scenes_around(shader_path)) {
-        if (names(scene, stem, access)) {
-            if (belongs(scene, shader_path, access)) return scene;
+        if (names(scene, stem)) {
+            if (belongs(scene, shader_path)) return scene;
         } else if (others.size() < most_others) {
             others.push_back(scene);
         }
     }
     for (const std::string& scene : others)
-        if (belongs(scene, shader_path, access)) return scene;
+        if (belongs(scene, shader_path)) return scene;
     return {};
 }
 

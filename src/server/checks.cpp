@@ -1,6 +1,7 @@
 #include "src/server/checks.h"
 
-#include <utility>
+#include <map>
+#include <vector>
 
 #include "parser/text/ranges.h"
 #include "src/content/json.h"
@@ -60,8 +61,8 @@ Scene* Checks::current() const {
 Clock::time_point Checks::due() const { return background_.busy() ? background_.deadline() : next().at; }
 
 void Checks::go_on() {
-    // What was said of scenes that are closed is taken back.
-    if (const std::size_t open = state_.workspace.scenes().size(); std::exchange(open_, open) > open) publish();
+    if (next().at <= Clock::now()) state_.workspace.arrange();
+    if (state_.workspace.dropped()) publish();
     if (background_.busy()) {
         const Scene* scene = current();
         const Next waiting = next();
@@ -88,33 +89,66 @@ void Checks::take(const std::string& result) {
     if (!scene) return;
     (driver_ ? scene->driver : scene->check) = false;
     Json said = content::parse_json(result);
-    if (!said.is_array()) return;
+    if (!said.is_array() && driver_) return;
+    if (!said.is_array()) said = Json::array();  // what is not known is not said
     scene->said = std::move(said);
     publish();
 }
 
-// A text that several scenes have is said of as in the one that was used last.
-void Checks::publish() {
-    std::map<std::string, Json> now;
-    for (const Scene& scene : state_.workspace.scenes())
-        for (const Json& file : scene.said) now.insert_or_assign(string_at(file, "uri"), file);
-    for (auto& [uri, file] : now) {
-        const Document* document = state_.documents.find(uri);
-        const auto version = file.find("version");
-        if (document && (version == file.end() || *version != document->version)) continue;  // it is checked again
-        if (!document && version != file.end()) file.erase("version");
-        const auto before = sent_.find(uri);
-        if (before == sent_.end() ? !document && file.at("diagnostics").empty() : before->second == file) continue;
-        state_.notify("textDocument/publishDiagnostics", file);
-        sent_.insert_or_assign(uri, file);
+namespace {
+
+// Adds what another scene says of the same text. A fix is offered if all scenes that report the problem have it.
+void add_said(Json& all, const Json& more) {
+    for (const Json& one : more) {
+        const auto same = [&](const Json& other) {
+            return other.at("range") == one.at("range") && other.at("code") == one.at("code") &&
+                   other.at("message") == one.at("message");
+        };
+        const auto known = ranges::find_if(all, same);
+        if (known == all.end())
+            all.push_back(one);
+        else if (!one.contains("data"))
+            known->erase("data");
     }
-    for (auto before = sent_.begin(); before != sent_.end();) {
+}
+
+}  // namespace
+
+// All that the scenes of a text say of it, in an order of their own: which one was asked about last does not matter.
+void Checks::publish() {
+    std::vector<const Scene*> scenes;
+    for (const Scene& scene : state_.workspace.scenes()) scenes.push_back(&scene);
+    ranges::sort(scenes, {}, &Scene::path);
+    std::map<std::string, Json> now;  // by URI; null: it is checked again
+    for (const Scene* scene : scenes)
+        for (const Json& file : scene->said) {
+            const std::string uri = string_at(file, "uri");
+            const Document* document = state_.documents.find(uri);
+            Json& all = now[uri];
+            if (document && file.value("version", document->version - 1) != document->version) continue;
+            if (all.is_null()) {
+                all = file;
+                if (!document) all.erase("version");
+            } else {
+                add_said(all.at("diagnostics"), file.at("diagnostics"));
+            }
+        }
+    auto& published = state_.published;
+    for (auto& [uri, file] : now) {
+        const auto before = published.find(uri);
+        const bool known = before != published.end();
+        if (file.is_null() || (known && before->second == file)) continue;
+        if (!known && file.at("diagnostics").empty() && !state_.documents.find(uri)) continue;
+        state_.notify("textDocument/publishDiagnostics", file);
+        published.insert_or_assign(uri, file);
+    }
+    for (auto before = published.begin(); before != published.end();) {
         if (now.contains(before->first)) {
             ++before;
             continue;
         }
         state_.notify("textDocument/publishDiagnostics", {{"uri", before->first}, {"diagnostics", Json::array()}});
-        before = sent_.erase(before);
+        before = published.erase(before);
     }
 }
 

@@ -1,7 +1,6 @@
 // Diagnostics of the open scenes, in the background: first those that need no driver, after a rest the driver's too.
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "src/server/state.h"
@@ -36,8 +35,6 @@ private:
     std::string path_;  // of the scene that is being checked
     bool driver_ = false;
     Clock::time_point began_;
-    std::size_t open_ = 0;              // scenes
-    std::map<std::string, Json> sent_;  // by URI: the params of the last publication
 };
 
 }  // namespace snell::server

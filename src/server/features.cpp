@@ -143,11 +143,10 @@ constexpr auto methods = std::to_array<Method>({
 
 Json actions(State& state, const Json& params) {
     const Document& document = state.document(params);
-    const Scene& scene = state.workspace.scene_of(document);
-    for (const Json& file : scene.said)
-        if (file.at("uri") == document.uri && file.value("version", std::int64_t{-1}) == document.version)
-            return code_actions(file.at("diagnostics"), params);
-    return Json::array();  // what was said is of another text
+    const auto said = state.published.find(document.uri);
+    if (said == state.published.end() || said->second.value("version", document.version - 1) != document.version)
+        return Json::array();  // what was said is of another text
+    return code_actions(said->second.at("diagnostics"), params);
 }
 
 }  // namespace

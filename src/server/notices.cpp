@@ -13,7 +13,6 @@ void did_open(State& state, const Json& params) {
     const Document& opened = state.documents.open({uri, content::path_of_uri(uri), item.value("languageId", ""),
                                                    item.value("version", std::int64_t{0}), string_at(item, "text")});
     state.workspace.rearranged();
-    state.workspace.arrange();
     state.workspace.scene_of(opened);
 }
 
@@ -45,7 +44,6 @@ void did_close(State& state, const Json& params) {
     const Document& document = state.document(params);
     state.documents.close(std::string(document.uri));
     state.workspace.rearranged();
-    state.workspace.arrange();
 }
 
 void did_change_files(State& state, const Json& params) {
@@ -56,7 +54,6 @@ void did_change_files(State& state, const Json& params) {
         if (!state.documents.with_path(path)) state.workspace.changed(path);
     }
     if (arrangement) state.workspace.rearranged();
-    state.workspace.arrange();
 }
 
 void initialized(State& state, const Json&) {

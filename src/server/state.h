@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "src/server/documents.h"
@@ -34,6 +35,7 @@ struct State {
     std::function<void(const std::string& message)> send;
     Documents documents = {};
     Workspace workspace{documents};
+    std::map<std::string, Json> published = {};  // by URI: what was said of it last
     Encoding encoding = Encoding::utf16;
     Json client = Json::object();  // the capabilities of the editor
     int asked = 0;                 // how many requests the server sent to the editor

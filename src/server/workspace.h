@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "src/language/project.h"
 #include "src/server/documents.h"
@@ -30,7 +31,7 @@ class Workspace {
 public:
     explicit Workspace(const Documents& documents) : documents_(documents) {}
 
-    // The scene of a text, read; its shaders belong to the one that was used last.
+    // The scene of a text; a shader of several scenes is asked about in the one that was used last.
     Scene& scene_of(const Document& document);
     const language::Project& project_of(const Document& document);
     // Reads the scene if it has changed since.
@@ -39,18 +40,24 @@ public:
     void changed(const std::string& path);
     // Which files there are is another now: shaders may belong to other scenes.
     void rearranged();
-    // Every text that is open has its scene, and no other scene is kept.
+    // Keeps the scenes of the texts that are open, and no others: the scenes among them, for shaders that those do not
+    // have one on disk, and shaders without any scene alone. Which these are is a function of the texts and the files,
+    // not of what was asked before.
     void arrange();
+    // Whether arrange() has dropped a scene since this was asked last.
+    bool dropped() { return std::exchange(dropped_, false); }
 
     std::list<Scene>& scenes() { return scenes_; }  // the one that was used last is last
 
 private:
     Scene& open(const std::string& path, bool alone);
-    std::string scene_path(const Document& document);
+    bool has(Scene& scene, const Document& document);
+    const std::string& scene_on_disk(const Document& document);
 
     const Documents& documents_;
     std::list<Scene> scenes_;
     std::map<std::string, std::string> found_;  // by the path of a shader: a scene on disk, "" if there is none
+    bool arranged_ = false, dropped_ = false;
 };
 
 }  // namespace snell::server

@@ -138,6 +138,31 @@ class Files(unittest.TestCase):
         self.client.request("textDocument/documentSymbol", {"textDocument": {"uri": a}})
         self.assertEqual(definition(), {shader, a})
 
+    def test_what_is_said_does_not_depend_on_what_was_asked(self):
+        # A shader that no scene names for a moment is one of its scene again: the driver knows what is wrong with it.
+        scene = self.client.open(self.write_scene(fragment=FRAGMENT.replace("uKa * vN", "uKa * lost * vN")))
+        shader = self.client.open(os.path.join(self.folder, "a.frag"))
+        self.until(shader, ["glsl-undeclared"])
+        self.client.change(scene, 2, [{"text": SCENE.replace("a.frag", "a.fra")}])
+        self.until(scene, ["file-not-found"])
+        self.client.request("textDocument/documentSymbol", {"textDocument": {"uri": shader}})
+        self.until(shader, [])
+        self.client.change(scene, 3, [{"text": SCENE}])
+        self.until(scene, [])
+        self.until(shader, ["glsl-undeclared"])
+
+    def test_a_text_of_several_scenes_has_what_each_says(self):
+        both = {name: self.client.open(self.write_scene(scene=SCENE.replace("uKa", name), name=f"{name}.glib"))
+                for name in ("uKa", "uKb")}
+        shader = self.client.open(os.path.join(self.folder, "a.frag"), FRAGMENT.replace("uniform", "#include \"x.glsl\"\nuniform"))
+        self.until(shader, ["missing-include"])  # once, though both say it
+        self.client.change(both["uKb"], 2, [{"text": SCENE.replace("Vertex a.vert", "")}])
+        self.client.change(shader, 2, [{"text": FRAGMENT}])
+        for asked in both.values():
+            self.client.request("textDocument/documentSymbol", {"textDocument": {"uri": asked}})
+            self.client.request("textDocument/documentSymbol", {"textDocument": {"uri": shader}})
+            self.until(shader, ["input-without-output"])
+
     def test_tags_and_related_places(self):
         scene = self.write_scene(scene=SCENE.replace("Sphere 1\n", ""))
         found = self.until(self.client.open(scene), ["program-not-drawn"])
