@@ -53,6 +53,7 @@ struct DeclaredUniform {
     std::vector<double> initial;              // of its initialiser; empty: none
     Use use = Use::unsure;                    // none, sure: only if Options::find_uses
     std::vector<std::string> functions = {};  // that name it, such as "main (fragment)"
+    Span span = {};                           // of its name, where it is declared first
 };
 
 // A uniform that keeps its value, column by column: it is written as a constant.

@@ -71,9 +71,10 @@ Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics
 // Prepares the chosen rungs. Resources of earlier calls are used again.
 void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     Loading loading{*files, *sources, diagnostics, {}};
-    link_programs(loading);
+    Declared declared{*sources};
+    link_programs(loading, declared);
     value_problems = Diagnostics(files->limits());
-    given = make_controls(plan.scene, active, value_problems);
+    given = make_controls(plan.scene, active, value_problems, &declared);
     given.rungs = plan.rungs;
     find_stand();
     passes.clear();
@@ -142,7 +143,7 @@ LinkedProgram* Runtime::Impl::link(Index program, runtime::Variant variant, Load
 }
 
 // Programs that no draw uses are compiled too, because the user wants their sliders and errors.
-void Runtime::Impl::link_programs(Loading& loading) {
+void Runtime::Impl::link_programs(Loading& loading, Declared& declared) {
     const Scene& scene = plan.scene;
     std::vector<runtime::Variant> first(scene.programs.size());
     std::vector<bool> used(scene.programs.size(), false);
@@ -161,6 +162,7 @@ void Runtime::Impl::link_programs(Loading& loading) {
         tell(LoadProgress::Stage::programs, scene.programs[i].name, i, scene.programs.size());
         const LinkedProgram* linked = link_chosen(i, first[i], loading);
         active.emplace_back(linked ? general_uniforms(i, *linked, first[i], loading) : std::vector<ActiveUniform>{});
+        declared.programs.push_back(linked ? linked->declared : std::vector<glsl::DeclaredUniform>{});
         dormant.emplace_back();
         if (linked) find_dormant(i, *linked);
         if (!linked || !used[i]) continue;

@@ -164,7 +164,7 @@ struct Runtime::Impl {
     void tell(LoadProgress::Stage stage, std::string_view what, std::size_t done, std::size_t of) const {
         if (progress) progress({stage, what, done, of});
     }
-    void link_programs(Loading& loading);
+    void link_programs(Loading& loading, Declared& declared);
     runtime::LinkedProgram* link(Index program, runtime::Variant variant, Loading& loading);
     // By Scene::passes: whether the window shows something of it. `dormant`: or would, for other values.
     std::vector<bool> live_passes(Loading& loading, bool dormant);

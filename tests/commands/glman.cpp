@@ -35,7 +35,7 @@ TEST_F(Glman, WhatOldScenesSayIsReadAsThePageSays) {
         {program("Height Blending uA 1 uC {1 0 0}"), "'P Height Blending'", "[name-of-several-words]", 0},
         {program("\n  uA 1\n  uC {1 0 0}"), "the values are taken for this program all the same", "[unknown-command]",
          1},
-        {program("uA 1 uC {1 0 0} uAa 2"), "did you mean 'uA'?", "[unknown-uniform]", 0},
+        {program("uC {1 0 0} uAa 2"), "did you mean 'uA'?", "[unknown-uniform]", 0},
         {fine + "Spere\n", "did you mean 'Sphere'?", "[unknown-command]", 1},
         {"Ortho -1 1 -1 1\nVertex P.VERT\nFragment p\nProgram P uA 1 uC {1 0 0}\nQuadXY 0 1\n", "p.frag' is used",
          "[file-inexact]", 0},

@@ -316,6 +316,34 @@ TEST(Controls, BehindALadderUnusedIsNoMistakeUnlessItLooksLikeOne) {
     EXPECT_NE(diagnostics.items()[0].message.find("uMxi"), std::string::npos);
 }
 
+TEST(Controls, AUniformThatIsDeclaredIsNotMistyped) {
+    const Scene scene = scene_with(
+        {{"Glass",
+          {value_of("uD", Kind::scalar, {1}), value_of("uW", Kind::scalar, {1}), value_of("uKd[7]", Kind::scalar, {1}),
+           value_of("uNo", Kind::scalar, {1}), value_of("uKd", Kind::scalar, {1})}}});
+    ActiveUniform kd = active("float");
+    kd.name = "uKd";
+    kd.array_size = 4;
+    Sources sources;
+    const FileId file = sources.add("dir/a.frag", "\nuniform float uD, uW;\n");
+    Declared declared{sources, {{{"uD", "float"}, {"uW", "float"}}}};
+    declared.programs[0][0].use = glsl::DeclaredUniform::Use::none;
+    declared.programs[0][0].span = {file, 15, 17};
+    declared.programs[0][1].functions = {"main (fragment)"};
+    declared.programs[0][1].span = {file, 19, 21};
+    Diagnostics diagnostics;
+    make_controls(scene, {{kd}}, diagnostics, &declared);
+    std::vector<std::string> said;
+    for (const Diagnostic& one : diagnostics.items()) {
+        if (one.code == "unknown-uniform") said.push_back(one.message);
+        EXPECT_TRUE(one.fixes.empty()) << "uKd is set already";
+    }
+    EXPECT_EQ(said, (std::vector<std::string>{"'uD' is declared in a.frag:2 and never used",
+                                              "'uW' is declared in a.frag:2 but changes nothing that is drawn",
+                                              "'uKd' is a float[4], which has no '[7]'",
+                                              "no shader of program 'Glass' declares 'uNo'"}));
+}
+
 TEST(Controls, FailedProgramKeepsItsValuesQuietly) {
     const Scene scene =
         scene_with({{"Glass",

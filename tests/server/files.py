@@ -163,6 +163,19 @@ class Files(unittest.TestCase):
             self.client.request("textDocument/documentSymbol", {"textDocument": {"uri": shader}})
             self.until(shader, ["input-without-output"])
 
+    def test_a_uniform_that_is_declared_is_not_mistyped(self):
+        # uKd resembles uKz, but is set itself: with it, its line would say it twice.
+        scene = self.write_scene(scene=SCENE.replace("uKa", "uKz 1. uNot 2. uKa"), fragment="\nuniform float uKz, uKd;\n" + FRAGMENT)
+        uri = self.client.open(scene)
+        self.until(uri, ["unknown-uniform", "unknown-uniform"])  # while one writes, only what is not declared
+        found = {d["message"].split("\n")[0]: d for d in self.client.published[uri]["diagnostics"]}
+        self.assertEqual(set(found), {"'uKz' is declared in a.frag:2 and never used", "no shader of program 'P' declares 'uNot'"})
+        for one in found.values():
+            self.assertNotIn("data", one)
+        related = found["'uKz' is declared in a.frag:2 and never used"]["relatedInformation"][0]["location"]
+        self.assertEqual([related["uri"], related["range"]["start"]],
+                         [uri_of(os.path.join(self.folder, "a.frag")), {"line": 1, "character": 14}])
+
     def test_tags_and_related_places(self):
         scene = self.write_scene(scene=SCENE.replace("Sphere 1\n", ""))
         found = self.until(self.client.open(scene), ["program-not-drawn"])

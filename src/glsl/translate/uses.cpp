@@ -56,8 +56,9 @@ struct Candidate {
     bool certain = true, named = false, adapted = false;
 };
 
-DeclaredUniform described(const Program& program, const Global& g) {
+DeclaredUniform described(const Program& program, const Unit& u, const Global& g) {
     DeclaredUniform d;
+    if (g.name_token >= 0) d.span = u.span(g.name_token);
     d.name = g.name;
     const std::string_view own = g.type.basic() ? type_name(g.type.base, g.type.rows, g.type.cols) : g.type.name;
     d.glsl_type = g.new_type.empty() ? own : g.new_type;
@@ -79,7 +80,7 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
             if (g.qualifiers.storage != Storage::uniform || g.name.starts_with("gl_")) continue;
             auto known = ranges::find(declared, g.name, &DeclaredUniform::name);
             if (known == declared.end()) {
-                declared.push_back(described(program, g));
+                declared.push_back(described(program, u, g));
                 candidates.emplace_back();
                 known = declared.end() - 1;
             }

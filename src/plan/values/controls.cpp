@@ -64,7 +64,8 @@ bool is_word(const UniformValue& boolean) {
 
 class Maker {
 public:
-    Maker(const Scene& scene, Diagnostics& diagnostics) : scene_(scene), diagnostics_(diagnostics) {}
+    Maker(const Scene& scene, Diagnostics& diagnostics, const Declared* declared)
+        : scene_(scene), diagnostics_(diagnostics), declared_(declared) {}
 
     Controls make(const std::vector<std::vector<ActiveUniform>>& active) {
         static const std::vector<ActiveUniform> nothing;
@@ -93,7 +94,7 @@ private:
             Control control = control_of(program, written.name, written.span);
             control.uniform = index;
             control.active = uniform != nullptr;
-            if (uniform == nullptr && !active.empty()) report_unknown(program, written, active);
+            if (uniform == nullptr) report_unknown(program, written, active);
             fit(control, written, uniform != nullptr ? *uniform : guess(written));
             control.initial = control.value;
             controls_.items.push_back(std::move(control));
@@ -134,20 +135,53 @@ private:
     // if it resembles one that is used but not listed, because that suggests a typing error.
     void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
         const bool laddered = scene_.programs[program].ladders > 0;
-        std::vector<std::string_view> names;
+        const std::string_view base = std::string_view(written.name).substr(0, written.name.find_first_of(".["));
+        const glsl::DeclaredUniform* declared = find_declared(program, base);
+        if (active.empty() && declared == nullptr) return;  // the program failed
+        if (const ActiveUniform* array = find_active(active, base); array != nullptr && !laddered) {
+            report_unknown(written, fmt::format("'{}' is a {}, which has no '{}'", base, type_name(*array),
+                                                std::string_view(written.name).substr(base.size())));
+            return;
+        }
+        if (declared != nullptr) {
+            if (!laddered) report_unused(written, *declared);
+            return;
+        }
+        std::vector<std::string_view> names;  // a name that is listed would be given twice
         for (const ActiveUniform& uniform : active) {
             const std::string_view name = base_name(uniform.name);
-            if (is_internal(name) || (laddered && (uniform.system || is_listed(program, name)))) continue;
+            if (is_internal(name) || (laddered && uniform.system) || is_listed(program, name)) continue;
             names.push_back(name);
         }
         const std::string_view near = nearest(written.name, names);
         if (laddered && near.empty()) return;
-        const bool meant = !near.empty() && near != written.name;
-        Diagnostic& said = diagnostics_.warning(
-            "unknown-uniform", written.name_span,
-            fmt::format("program '{}' has no active uniform '{}'", scene_.programs[program].name, written.name),
-            meant ? fmt::format("did you mean '{}'?", near) : std::string());
-        if (meant) said.fixes.push_back({written.name_span, std::string(near)});
+        Diagnostic& said = report_unknown(written, fmt::format("no shader of program '{}' declares '{}'",
+                                                               scene_.programs[program].name, written.name));
+        if (near.empty()) return;
+        said.help = fmt::format("did you mean '{}'?", near);
+        said.fixes.push_back({written.name_span, std::string(near)});
+    }
+
+    Diagnostic& report_unknown(const UniformValue& written, std::string message) {
+        return diagnostics_.warning("unknown-uniform", written.name_span, std::move(message));
+    }
+
+    void report_unused(const UniformValue& written, const glsl::DeclaredUniform& declared) {
+        const bool never = declared.functions.empty() && declared.use == glsl::DeclaredUniform::Use::none;
+        const std::string_view path = declared_->sources.name(declared.span.file);
+        Diagnostic& said = report_unknown(
+            written, fmt::format("'{}' is declared in {}:{} {}", written.name, path.substr(path.rfind('/') + 1),
+                                 declared_->sources.position(declared.span.file, declared.span.begin).line,
+                                 never ? "and never used" : "but changes nothing that is drawn"));
+        said.help = "use it in the shader, or remove it from the Program line";
+        said.notes.push_back({declared.span, "declared here"});
+    }
+
+    const glsl::DeclaredUniform* find_declared(Index program, std::string_view name) const {
+        if (declared_ == nullptr || program >= declared_->programs.size()) return nullptr;
+        const auto& all = declared_->programs[program];
+        const auto found = ranges::find(all, name, &glsl::DeclaredUniform::name);
+        return found == all.end() || found->span.begin == found->span.end ? nullptr : &*found;
     }
 
     bool is_listed(Index program, std::string_view name) const {
@@ -344,6 +378,7 @@ private:
 
     const Scene& scene_;
     Diagnostics& diagnostics_;
+    const Declared* declared_;
     Controls controls_;
     std::vector<Control> unlisted_;
 };
@@ -362,8 +397,8 @@ Control* Controls::find(Index program, std::string_view name) {
 }
 
 Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
-                       Diagnostics& diagnostics) {
-    Controls controls = Maker(scene, diagnostics).make(active);
+                       Diagnostics& diagnostics, const Declared* declared) {
+    Controls controls = Maker(scene, diagnostics, declared).make(active);
     controls.rungs = marked_rungs(scene);
     return controls;
 }

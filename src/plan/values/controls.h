@@ -8,6 +8,7 @@
 
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
+#include "src/glsl/glsl.h"
 #include "src/plan/values/rungs.h"
 
 namespace snell {
@@ -53,11 +54,17 @@ struct Controls {
     const Control* find(Index program, std::string_view name) const;
 };
 
+// What the shaders of each of Scene::programs declare, to say why a uniform is not active.
+struct Declared {
+    const Sources& sources;
+    std::vector<std::vector<glsl::DeclaredUniform>> programs = {};
+};
+
 // Makes the controls of all programs. `active[i]` holds the uniforms of Scene::programs[i], and is empty if that
 // program failed to link. Reports uniforms that the program does not have, values that do not fit, and ranges that had
 // to be corrected.
 Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveUniform>>& active,
-                       Diagnostics& diagnostics);
+                       Diagnostics& diagnostics, const Declared* declared = nullptr);
 
 // Restores the scene's value and range, of all components or of one.
 void reset(Control& control);

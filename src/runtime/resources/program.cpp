@@ -194,7 +194,10 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     if (!translation.ok) return nullptr;
     const std::string key = key_of(request.program, translation);
     Diagnostics none_said;
-    if (auto known = request.store ? request.store->programs.take(key, {}, none_said) : nullptr) return known;
+    if (auto known = request.store ? request.store->programs.take(key, {}, none_said) : nullptr) {
+        known->declared = translation.declared;  // at the places of these sources
+        return known;
+    }
     auto linked = build(request, translation, diagnostics);
     if (!linked) return nullptr;
     linked->opaque = !translation.uses_alpha;
