@@ -1,6 +1,9 @@
 #include "src/server/trial.h"
 
+#include <algorithm>
 #include <chrono>
+#include <set>
+#include <utility>
 
 #include "parser/text/ranges.h"
 #include "src/plan/values/write_back.h"
@@ -29,38 +32,23 @@ std::optional<Access> fixed(const Diagnostic& diagnostic, const Sources& sources
     return with;
 }
 
-std::ptrdiff_t same(const Diagnostics& all, const Diagnostic& one) {
-    std::ptrdiff_t count = 0;
+using Said = std::multiset<std::pair<std::string_view, std::string_view>>;
+
+// The messages that are at least so severe, by code and text. Views of `all`.
+Said said(const Diagnostics& all, Severity severity) {
+    Said messages;
     for (const Diagnostic& d : all.items())
-        if (d.code == one.code && d.message == one.message) count += 1 + static_cast<std::ptrdiff_t>(d.also.size());
-    return count;
+        if (d.severity >= severity)
+            for (std::size_t i = 0; i <= d.also.size(); ++i) messages.emplace(d.code, d.message);
+    return messages;
 }
 
-// Where the diagnostic is once it is fixed, if it is there at all.
-std::uint32_t place_after(const Diagnostic& diagnostic) {
-    std::uint32_t at = diagnostic.span.begin;
-    for (const Fix& fix : diagnostic.fixes)
-        if (fix.span.file == diagnostic.span.file && fix.span.begin < diagnostic.span.begin)
-            at += static_cast<std::uint32_t>(fix.text.size()) - (fix.span.end - fix.span.begin);
-    return at;
-}
-
-// How much is said at a place of a file, by whatever code.
-std::ptrdiff_t said_at(const Checked& checked, std::string_view name, std::uint32_t at) {
-    const auto there = [&](const Span& span) { return span.begin == at && checked.sources.name(span.file) == name; };
-    std::ptrdiff_t count = 0;
-    for (const Diagnostic& d : checked.diagnostics.items())
-        if (d.has_span) count += (there(d.span) ? 1 : 0) + ranges::count_if(d.also, there);
-    return count;
-}
-
-bool is_good(const Diagnostic& diagnostic, const Checked& before, const Checked& after) {
-    if (after.diagnostics.errors() > before.diagnostics.errors()) return false;
-    if (same(after.diagnostics, diagnostic) >= same(before.diagnostics, diagnostic)) return false;
-    if (!diagnostic.has_span) return true;
-    // Another message in its place would only be the next one.
-    const std::string_view name = before.sources.name(diagnostic.span.file);
-    return said_at(after, name, place_after(diagnostic)) < said_at(before, name, diagnostic.span.begin);
+// There are fewer messages, among them the one that is fixed, and none is new. An error hides the warnings of its
+// program: they do not count as new when it goes.
+bool is_good(const Diagnostic& fixed, const Diagnostics& before, const Diagnostics& after) {
+    const Said old = said(before, fixed.severity), now = said(after, fixed.severity);
+    const std::pair<std::string_view, std::string_view> one(fixed.code, fixed.message);
+    return now.count(one) < old.count(one) && std::includes(old.begin(), old.end(), now.begin(), now.end());
 }
 
 }  // namespace
@@ -72,7 +60,7 @@ void keep_good_fixes(Checked& checked, const Access& access, const std::function
         if (!diagnostic.fixes.empty()) {
             const auto with =
                 std::chrono::steady_clock::now() < end ? fixed(diagnostic, checked.sources, access) : std::nullopt;
-            if (!with || !is_good(diagnostic, checked, check(*with))) diagnostic.fixes.clear();
+            if (!with || !is_good(diagnostic, checked.diagnostics, check(*with).diagnostics)) diagnostic.fixes.clear();
         }
         kept.add(std::move(diagnostic));
     }

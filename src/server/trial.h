@@ -7,8 +7,8 @@
 
 namespace snell::server {
 
-// Takes the fixes away that do not make their diagnostic go, or that leave more errors than there were, by what `check`
-// says of the texts with the fix. Fixes for which there was no time are taken away too.
+// Takes the fixes away that do not make their diagnostic go, or that bring a new one as severe, by what `check` says of
+// the texts with the fix. Fixes for which there was no time are taken away too.
 void keep_good_fixes(Checked& checked, const Access& access, const std::function<Checked(const Access&)>& check);
 
 }  // namespace snell::server

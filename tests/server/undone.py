@@ -87,9 +87,10 @@ class Editor:
         self.client.request("textDocument/" + method, params, seconds=120, fails=True)
 
     def said(self):
-        """What is shown: fixes are left out, since a busy machine has no time to try them."""
-        return {uri: sorted(str((d["range"], d["severity"], d["code"], d["message"])) for d in params["diagnostics"])
-                for uri, params in self.client.published.items() if params["diagnostics"]}
+        """What is shown. A busy machine has no time to try fixes, or all sliders."""
+        every = {uri: sorted(str((d["range"], d["severity"], d["code"], d["message"])) for d in params["diagnostics"]
+                             if d["code"] != "slider-without-effect") for uri, params in self.client.published.items()}
+        return {uri: lines for uri, lines in every.items() if lines}
 
     def close(self):
         for uri in self.uris.values():
