@@ -43,12 +43,30 @@ struct Found {
     Plan plan;
     FileId scene = 0;
     std::vector<Change> changes;
+    bool errors = false;  // in the scene; they are printed
 };
+
+void print_errors(const Diagnostics& all, const Sources& sources) {
+    Diagnostics errors;
+    for (const Diagnostic& diagnostic : all.items())
+        if (diagnostic.severity == Severity::error) errors.add(diagnostic);
+    fmt::print(stderr, "{}", snell::render(errors, sources));
+}
+
+// Only a driver knows all errors of shaders. Without one, nothing is said of them.
+bool print_shader_errors(const std::string& path, const Access& access) {
+    std::string unheard;
+    const auto context = HeadlessContext::make({}, unheard);
+    if (!context) return false;
+    const auto document = open_document(path, gl::query_caps(), nullptr, nullptr, {}, access);
+    print_errors(document->diagnostics, document->sources);
+    return document->diagnostics.has_errors();
+}
 
 // Returns null after it printed why the scene cannot be read.
 std::unique_ptr<Found> find_in(const std::string& path, const AccuracyOptions& options) {
     auto found = std::make_unique<Found>(path, options.access);
-    Diagnostics diagnostics(options.access.limits), errors;
+    Diagnostics diagnostics(options.access.limits);
     bool chosen = true;
     auto parsed = parse_document(path, found->files, found->sources, diagnostics);
     if (parsed) {
@@ -58,10 +76,9 @@ std::unique_ptr<Found> find_in(const std::string& path, const AccuracyOptions& o
             chosen = choose_rung(found->plan.rungs, found->plan.scene, choice, diagnostics) && chosen;
         found->changes = find_changes(found->plan, found->files, found->sources);
     }
-    for (const Diagnostic& diagnostic : diagnostics.items())
-        if (diagnostic.severity == Severity::error) errors.add(diagnostic);
-    fmt::print(stderr, "{}", snell::render(errors, found->sources));
+    print_errors(diagnostics, found->sources);
     if (!parsed || !chosen) return nullptr;
+    found->errors = diagnostics.has_errors() || print_shader_errors(path, options.access);
     return found;
 }
 
@@ -274,7 +291,7 @@ Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command) 
     if (!found) return exit_input;
     const Exit status = options.list_found ? list_found(options, *found) : write_texts(options, *found);
     deadline.rest();
-    return status;
+    return status == exit_fine && found->errors ? exit_input : status;
 }
 
 std::string write_quality_copy(const AccuracyOptions& options, const Sought& sought) {

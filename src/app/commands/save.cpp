@@ -65,9 +65,12 @@ Exit save(const SaveOptions& options) {
     if (!saved.error.empty()) return complain(exit_input, saved.error);
     for (const Unwritten& value : saved.unwritten) complain(fmt::format("{}: {}", value.name, value.reason));
     if (!saved.unwritten.empty()) return exit_input;
-    if (!options.output.empty()) return write_copy(*document, saved, options.output);
-    const std::string error = write_saved(saved.files);
-    return error.empty() ? exit_fine : complain(exit_input, error);
+    if (!options.output.empty()) {
+        if (const Exit wrong = write_copy(*document, saved, options.output); wrong != exit_fine) return wrong;
+    } else if (const std::string error = write_saved(saved.files); !error.empty()) {
+        return complain(exit_input, error);
+    }
+    return said.has_errors() ? exit_input : exit_fine;
 }
 
 }  // namespace
