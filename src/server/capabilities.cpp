@@ -17,7 +17,7 @@ Json capabilities(Encoding encoding) {
     Json commands = Json::array();
     for (const std::string_view name : command_names) commands.push_back(name);
     return {{"positionEncoding", encoding == Encoding::utf8 ? "utf-8" : "utf-16"},
-            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", false}}}}},
+            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", true}}}}},
             {"codeActionProvider", {{"codeActionKinds", Json::array({"quickfix"})}}},
             {"completionProvider", {{"triggerCharacters", {".", "<", "\"", "/", "#", "{"}}}},
             {"hoverProvider", true},

@@ -1,6 +1,7 @@
 #include "src/server/checks.h"
 
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "parser/text/ranges.h"
@@ -15,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto typing_rest = 30ms, driver_rest = 300ms;
-constexpr auto most_time = 10s, most_driver_time = 30s;
+constexpr auto most_time = 60s;  // on a busy machine, too
 
 Checked without_driver(const Scene& scene, const Access& access) {
     language::Project project =
@@ -81,14 +82,16 @@ void Checks::begin(const Next& next) {
     driver_ = next.driver;
     began_ = Clock::now();
     const auto work = [&] { return checked(state_, *next.scene, next.driver); };
-    if (!background_.start(work, next.driver ? most_driver_time : most_time)) take("");
+    if (!background_.start(work, most_time)) take("");
 }
 
 void Checks::take(const std::string& result) {
     Scene* scene = current();
     if (!scene) return;
-    (driver_ ? scene->driver : scene->check) = false;
     Json said = content::parse_json(result);
+    // A check that gave nothing is tried once more: a busy machine may have had no process, memory or time for it.
+    if (!said.is_array() && !std::exchange(scene->failed, true)) return;
+    (driver_ ? scene->driver : scene->check) = false;
     if (!said.is_array() && driver_) return;
     if (!said.is_array()) said = Json::array();  // what is not known is not said
     scene->said = std::move(said);
@@ -125,8 +128,11 @@ void Checks::publish() {
             const std::string uri = string_at(file, "uri");
             const Document* document = state_.documents.find(uri);
             Json& all = now[uri];
-            if (document && file.value("version", document->version - 1) != document->version) continue;
-            if (all.is_null()) {
+            if (document && document->lost)  // what is said is of the file
+                all = {{"uri", uri}, {"diagnostics", Json::array()}};
+            else if (document && file.value("version", document->version - 1) != document->version)
+                continue;
+            else if (all.is_null()) {
                 all = file;
                 if (!document) all.erase("version");
             } else {

@@ -20,6 +20,9 @@ struct Document {
     std::string language;
     std::int64_t version = 0;
     std::string text;
+    // Somewhere in the text is half a character of UTF-16, read as U+FFFD. Two halves that come together would be one.
+    bool halves = false;
+    bool lost = false;  // a change could not be read: the editor has another text
 
     bool is_scene() const;
 };
@@ -30,10 +33,12 @@ struct Change {
     };
     std::optional<Range> range;  // nullopt: the whole text
     std::string text;
+    bool halves = false;  // as Document::halves
 };
 
-// Applies the changes in order: each counts in the text that the one before has left.
-void apply(std::string& text, const std::vector<Change>& changes, Encoding encoding);
+// Applies the changes in order: each counts in the text that the one before has left. A whole text finds a document
+// again that was lost.
+void apply(Document& document, const std::vector<Change>& changes, Encoding encoding);
 
 class Documents {
 public:
@@ -42,7 +47,9 @@ public:
     Document* find(std::string_view uri);
     const Document* with_path(std::string_view path) const;
     const std::map<std::string, Document, std::less<>>& all() const { return all_; }
-    // What is read instead of files.
+    // A change of the text `uri` could not be read; nullopt: of any of them. Returns how many are lost that were not.
+    int lose(const std::optional<std::string>& uri);
+    // What is read instead of files: the texts that are not lost.
     Access access() const;
 
 private:

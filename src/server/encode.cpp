@@ -41,8 +41,11 @@ Json Encoder::edits(const std::vector<Edit>& edits) const {
 Json Encoder::workspace_edit(const std::vector<Edit>& all) const {
     Json changes = Json::object();
     for (const Edit& edit : all)
-        if (const std::string at = uri(edit.span.file); !at.empty())
+        if (const std::string at = uri(edit.span.file); !at.empty()) {
+            const auto open = state_.documents.all().find(at);
+            if (open != state_.documents.all().end() && open->second.lost) throw State::lost(open->second);
             changes[at].push_back({{"range", range(edit.span)}, {"newText", edit.text}});
+        }
     return {{"changes", std::move(changes)}};
 }
 

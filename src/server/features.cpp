@@ -15,7 +15,7 @@ namespace {
 // A request about a text: the scene that it belongs to, and the place.
 struct Asked {
     Asked(State& state, const Json& params)
-        : document(state.document(params)),
+        : document(state.known_document(params)),
           project(state.workspace.project_of(document)),
           encode(state, project),
           found(project.file_of(document.path)),
@@ -142,7 +142,7 @@ constexpr auto methods = std::to_array<Method>({
 });
 
 Json actions(State& state, const Json& params) {
-    const Document& document = state.document(params);
+    const Document& document = state.known_document(params);
     const auto said = state.published.find(document.uri);
     if (said == state.published.end() || said->second.value("version", document.version - 1) != document.version)
         return Json::array();  // what was said is of another text

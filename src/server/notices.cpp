@@ -10,8 +10,9 @@ namespace {
 void did_open(State& state, const Json& params) {
     const Json& item = params.at("textDocument");
     const std::string uri = string_at(item, "uri");
-    const Document& opened = state.documents.open({uri, content::path_of_uri(uri), item.value("languageId", ""),
-                                                   item.value("version", std::int64_t{0}), string_at(item, "text")});
+    const Document& opened =
+        state.documents.open({uri, content::path_of_uri(uri), item.value("languageId", ""),
+                              item.value("version", std::int64_t{0}), string_at(item, "text"), state.halves});
     state.workspace.rearranged();
     state.workspace.scene_of(opened);
 }
@@ -22,22 +23,22 @@ void did_change(State& state, const Json& params) {
     Document& document = state.document(params);
     std::vector<Change> changes;
     for (const Json& json : params.at("contentChanges")) {
-        Change change{std::nullopt, string_at(json, "text")};
+        Change change{std::nullopt, string_at(json, "text"), state.halves};
         if (const auto range = json.find("range"); range != json.end() && !range->is_null())
             change.range = Change::Range{valid_place(*range, "start"), valid_place(*range, "end")};
         changes.push_back(std::move(change));
     }
-    apply(document.text, changes, state.encoding);
+    apply(document, changes, state.encoding);
     document.version = params.at("textDocument").value("version", document.version + 1);
     state.workspace.changed(document.path);
 }
 
 void did_save(State& state, const Json& params) {
     Document& document = state.document(params);
-    if (const auto text = params.find("text"); text != params.end() && text->is_string() && *text != document.text) {
-        document.text = text->get<std::string>();
-        state.workspace.changed(document.path);
-    }
+    const auto text = params.find("text");
+    if (text == params.end() || !text->is_string() || (!document.lost && *text == document.text)) return;
+    apply(document, {{std::nullopt, text->get<std::string>(), state.halves}}, state.encoding);
+    state.workspace.rearranged();
 }
 
 void did_close(State& state, const Json& params) {
@@ -62,6 +63,16 @@ void initialized(State& state, const Json&) {
 }
 
 }  // namespace
+
+void lose(State& state, const std::optional<std::string>& uri, const std::string& why) {
+    const int lost = state.documents.lose(uri);
+    if (lost == 0) return;
+    state.workspace.rearranged();
+    const std::string name = uri ? uri->substr(uri->rfind('/') + 1) : std::to_string(lost) + " texts";
+    state.notify("window/showMessage", {{"type", 2},
+                                        {"message", "snell could not read a change of " + name + ": " + why +
+                                                        ". Save to have it read again."}});
+}
 
 void notice(State& state, const std::string& method, const Json& params) {
     if (method == "initialized") initialized(state, params);

@@ -7,6 +7,9 @@
 
 namespace snell::server {
 
+// What may have changed the text `uri`, or any text, could not be read: the user is told, and nothing is said of such a
+// text, or answered about it, until the editor sends it whole.
+void lose(State& state, const std::optional<std::string>& uri, const std::string& why);
 // Unknown ones are passed over.
 void notice(State& state, const std::string& method, const Json& params);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 
 #include "parser/text/ranges.h"
@@ -44,6 +45,58 @@ bool too_deep(std::string_view json) {
     return depth > deepest;
 }
 
+// Replaces halves of characters of UTF-16, such as "\ud83d" without the other half, by U+FFFD: editors write them to
+// files so. Returns whether there were any.
+bool mend_halves(std::string& json) {
+    const auto unit = [&](std::size_t at) {
+        unsigned value = 0;
+        if (json.compare(at, 2, "\\u") != 0 || at + 6 > json.size()) return 0u;
+        const char* const end = json.data() + at + 6;
+        return std::from_chars(json.data() + at + 2, end, value, 16).ptr == end ? value : 0u;
+    };
+    bool any = false;
+    for (std::size_t at = json.find('\\'); at != json.npos; at = json.find('\\', at)) {
+        const unsigned first = unit(at) & 0xFC00, second = first == 0xD800 ? unit(at + 6) & 0xFC00 : 0;
+        const bool half = first == 0xDC00 || (first == 0xD800 && second != 0xDC00);
+        if (half) json.replace(at + 2, 4, "fffd");
+        any = any || half;
+        at += first == 0xD800 && !half ? 12 : 2;
+    }
+    return any;
+}
+
+// The members of a broken message that stand in it all the same: "id" and "method" of the outermost object, and "uri".
+Json salvaged(std::string_view json) {
+    Json found = Json::object();
+    constexpr std::string_view blanks = " \t\r\n";
+    int depth = 0;
+    std::string_view key;  // before the value that begins
+    for (std::size_t at = 0; at < json.size();) {
+        const char c = json[at];
+        std::size_t end = at + 1;
+        if (c == '"') {
+            while (end < json.size() && json[end] != '"') end += json[end] == '\\' ? 2 : 1;
+            end = std::min(end + 1, json.size());
+        } else if (blanks.find(c) == blanks.npos && std::string_view("{}[]:,").find(c) == std::string_view::npos) {
+            end = std::min(json.find_first_of("{}[]:,\" \t\r\n", at), json.size());
+        }
+        const std::string_view word = json.substr(at, end - at);
+        const std::size_t next = std::min(json.find_first_not_of(blanks, end), json.size());
+        if (c == '"' && json.substr(next, 1) == ":") {
+            key = word;
+            end = next + 1;
+        } else if (blanks.find(c) == blanks.npos) {
+            const bool wanted = (depth == 1 && (key == "\"id\"" || key == "\"method\"")) || key == "\"uri\"";
+            if (Json value = wanted ? content::parse_json(word) : Json(); value.is_string() || value.is_number())
+                found.emplace(key.substr(1, key.size() - 2), std::move(value));
+            depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+            key = {};
+        }
+        at = end;
+    }
+    return found;
+}
+
 std::string method_of(const Json& message) {
     const Json& method = member(message, "method");
     return method.is_string() ? method.get<std::string>() : "";
@@ -53,10 +106,11 @@ std::string method_of(const Json& message) {
 
 void Session::receive(Arrived arrived) {
     if (!arrived.wrong.empty()) return queue_.push_back({{}, std::move(arrived.wrong)});
-    if (too_deep(arrived.body)) return queue_.push_back({{}, "the message is nested too deeply"});
+    const bool halves = mend_halves(arrived.body);
+    if (too_deep(arrived.body)) return queue_.push_back({salvaged(arrived.body), "the message is nested too deeply"});
     Json message = content::parse_json(arrived.body);
-    if (message.is_discarded()) return queue_.push_back({{}, "the message is not JSON"});
-    if (method_of(message) != "$/cancelRequest") return queue_.push_back({std::move(message), {}});
+    if (message.is_discarded()) return queue_.push_back({salvaged(arrived.body), "the message is not JSON"});
+    if (method_of(message) != "$/cancelRequest") return queue_.push_back({std::move(message), {}, false, halves});
     const Json& id = member(member(message, "params"), "id");
     for (Waiting& waiting : queue_)
         if (is_id(id) && member(waiting.message, "id") == id && !method_of(waiting.message).empty())
@@ -66,10 +120,33 @@ void Session::receive(Arrived arrived) {
 void Session::step() {
     const Waiting first = std::move(queue_.front());
     queue_.pop_front();
-    if (!first.broken.empty()) return state_.send(failure_text({}, Failure::parse_error, first.broken));
+    if (!first.broken.empty()) return refuse(first);
     const Json& message = first.message;
+    state_.halves = first.halves;
     if (const auto reply = message.is_array() ? answer_all(message) : answer(message, first.cancelled))
         state_.send(*reply);
+}
+
+namespace {
+
+// Whether the notification may have changed a text; all may, whose method is not known.
+bool changes_texts(const std::string& method) { return method.empty() || method.starts_with("textDocument/did"); }
+
+// The text that the notification is about; nullopt: it is not known.
+std::optional<std::string> changed_uri(const State& state, const Json& uri) {
+    if (!uri.is_string() || !state.documents.all().contains(uri.get<std::string>())) return std::nullopt;
+    return uri.get<std::string>();
+}
+
+}  // namespace
+
+void Session::refuse(const Waiting& broken) {
+    const Json& id = member(broken.message, "id");
+    const std::string method = method_of(broken.message);
+    const bool request = !id.is_null() && !method.empty();
+    state_.send(failure_text(request ? id : Json(), Failure::parse_error, broken.broken));
+    if (!request && changes_texts(method))
+        lose(state_, changed_uri(state_, member(broken.message, "uri")), broken.broken);
 }
 
 std::optional<std::string> Session::answer_all(const Json& batch) {
@@ -89,6 +166,12 @@ std::optional<std::string> Session::answer(const Json& message, bool cancelled) 
         return failure_text(is_id(id) ? id : Json(), Failure::invalid_request, "the message is no request");
     }
     const bool request = message.contains("id");
+    const auto wrong = [&](int code, const std::string& why) {
+        if (request) return std::optional(failure_text(id, code, why));
+        if (changes_texts(method))
+            lose(state_, changed_uri(state_, member(member(member(message, "params"), "textDocument"), "uri")), why);
+        return std::optional<std::string>();
+    };
     try {
         const Json& params = member(message, "params");
         if (!request) {
@@ -101,9 +184,9 @@ std::optional<std::string> Session::answer(const Json& message, bool cancelled) 
     } catch (const Failure& failure) {
         return request ? std::optional(failure_text(id, failure.code, failure.message)) : std::nullopt;
     } catch (const Json::exception& error) {
-        return request ? std::optional(failure_text(id, Failure::invalid_params, error.what())) : std::nullopt;
+        return wrong(Failure::invalid_params, error.what());
     } catch (const std::exception& error) {
-        return request ? std::optional(failure_text(id, Failure::internal_error, error.what())) : std::nullopt;
+        return wrong(Failure::internal_error, error.what());
     }
 }
 

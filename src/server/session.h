@@ -35,10 +35,12 @@ private:
 
     struct Waiting {
         Json message;
-        std::string broken;      // why there is no message
+        std::string broken;      // why there is no message; `message` has what could be read of it
         bool cancelled = false;  // by the editor
+        bool halves = false;     // as State::halves
     };
 
+    void refuse(const Waiting& broken);
     // Answers are texts: large ones are written directly.
     std::optional<std::string> answer(const Json& message, bool cancelled);
     std::optional<std::string> answer_all(const Json& batch);

@@ -38,6 +38,7 @@ struct State {
     std::map<std::string, Json> published = {};  // by URI: what was said of it last
     Encoding encoding = Encoding::utf16;
     Json client = Json::object();  // the capabilities of the editor
+    bool halves = false;           // the message that is answered has half a character of UTF-16 (Document::halves)
     int asked = 0;                 // how many requests the server sent to the editor
     std::deque<Errand> wanted = {};
     std::vector<Window> windows = {};  // that are open
@@ -66,6 +67,15 @@ struct State {
         const std::string uri = string_at(params.at("textDocument"), "uri");
         if (Document* found = documents.find(uri)) return *found;
         throw Failure{Failure::invalid_params, "'" + uri + "' is not open"};
+    }
+    // Throws one, too, if the editor has another text.
+    Document& known_document(const Json& params) {
+        Document& found = document(params);
+        if (found.lost) throw lost(found);
+        return found;
+    }
+    static Failure lost(const Document& document) {
+        return {Failure::content_modified, "a change of '" + document.uri + "' could not be read"};
     }
 };
 

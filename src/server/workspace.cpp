@@ -15,6 +15,7 @@ namespace {
 void reset(Scene& scene) {
     scene.project.reset();
     scene.check = scene.driver = true;
+    scene.failed = false;
     scene.changed = Clock::now();
 }
 

@@ -24,6 +24,7 @@ struct Scene {
     std::optional<language::Project> project;  // nullopt: it must be read again
     Json said = Json::array();                 // as published() has it
     bool check = true, driver = true;          // what is still to be done
+    bool failed = false;                       // a check gave nothing since the texts changed
     Clock::time_point changed = Clock::now();
 };
 

@@ -16,7 +16,7 @@ PIECES = ["Sphere 1", "Box 1 2 3", "# ", "é", "𝄞", "😀👩‍👩‍👧",
 
 
 def units(text, encoding):
-    return len(text.encode("utf-16-le")) // 2 if encoding == "utf-16" else len(text.encode("utf-8"))
+    return len(text.encode("utf-16-le", "surrogatepass")) // 2 if encoding == "utf-16" else len(text.encode("utf-8"))
 
 
 def lines_of(text):
