@@ -441,21 +441,6 @@ TEST_F(Grade, ASubmissionThatIsNamedTwiceIsOne) {
     EXPECT_EQ(result("ann")["points"], 1) << made.output;
 }
 
-TEST_F(Grade, PartsTogetherAreTheWhole) {
-    folder.write("r.toml",
-                 head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n[[item]]\nexpect = \"reference\"\n");
-    for (const std::string name : {"ann", "bob", "eve", "kim", "zoe"}) scene("s/" + name);
-    ASSERT_EQ(grade("r.toml s -o whole").status, 0);
-    const std::string part = SNELL_BIN "/snell grade r.toml s -o parts --shard ";
-    const Outcome parts =
-        run("cd '" + folder.path() + "' && { " + part + "0/2 & " + part + "1/2; echo status $?; wait; }");
-    EXPECT_TRUE(parts.says("status 0") && parts.says("part 0 of 2: 3 submissions")) << parts.output;
-    EXPECT_FALSE(fs::exists(at("parts/index.html")));
-    EXPECT_TRUE(grade("r.toml s -o parts").says("5 of them judged before"));
-    for (const std::string file : {"results.json", "results.csv", "junit.xml", "index.html"})
-        EXPECT_EQ(bytes_of(at("whole/" + file)), bytes_of(at("parts/" + file))) << file;
-}
-
 TEST_F(Grade, ReportsAreNotWrittenOverOtherFiles) {
     folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
     scene("s/ann");

@@ -9,7 +9,6 @@
 #include <filesystem>
 
 #include "parser/text/utf8.h"
-#include "src/app/batch/shots.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/grade/report/report.h"
@@ -23,13 +22,8 @@ constexpr double least_gigabytes = .3;  // measured with llvmpipe: with less, it
 
 struct GradeCommand {
     GradeOptions grade;
-    std::string shard;
     bool make_new = false, quiet = false;
 };
-
-std::string check_part(const std::string& text) {
-    return parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
-}
 
 void print_grades(const Grades& grades) {
     std::size_t width = 0;
@@ -68,10 +62,6 @@ Exit run_grade(const GradeCommand& command) {
     std::size_t kept = 0;
     for (const GradedSubmission& graded : grades.all) kept += graded.kept;
     const std::string count = fmt::format("{} submission{}", grades.all.size(), grades.all.size() == 1 ? "" : "s");
-    if (options.shards > 1) {
-        fmt::print("part {} of {}: {}, {} of them judged before\n", options.shard, options.shards, count, kept);
-        return exit_fine;
-    }
     const std::string wrong = write_report(grades, options.output);
     if (!wrong.empty()) return complain(exit_input, "cannot write " + wrong);
     fmt::print("{}: {}, {} of them judged before\n",
@@ -98,7 +88,6 @@ Run add_grade_command(CLI::App& command) {
     command.add_option("-o,--output", grade.output, "the folder of the report; with --new, the file of the rubric")
         ->check(check_file_name);
     command.add_flag("--new", options->make_new, "write a rubric for a scene, to start from");
-    command.add_option("--shard", options->shard, "I/N: judge part I of N, and write no report")->check(check_part);
     command.add_option("--jobs", grade.jobs, "processes at a time (default: one for each core)")
         ->check(CLI::Range(1, 1024));
     command
@@ -109,16 +98,8 @@ Run add_grade_command(CLI::App& command) {
         ->check(check_memory);
     command.add_flag("--again", grade.again, "judge everything again, even if nothing has changed");
     command.add_flag("-q,--quiet", options->quiet, "print no line for each submission");
-    command.footer(
-        "What was judged is kept in the folder of the report: a second run judges only what has changed.\n"
-        "After all parts of --shard, the same command without it writes the report.");
-    return [options] {
-        if (const auto part = parse_shard(options->shard)) {
-            options->grade.shard = part->index;
-            options->grade.shards = part->count;
-        }
-        return run_grade(*options);
-    };
+    command.footer("What was judged is kept in the folder of the report: a second run judges only what has changed.");
+    return [options] { return run_grade(*options); };
 }
 
 }  // namespace snell::app

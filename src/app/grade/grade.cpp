@@ -69,7 +69,7 @@ private:
     bool ready() {
         std::error_code error;
         fs::create_directories(output_, error);
-        if (!error) grades_.lock = lock_part(output_.string(), options_.shard, options_.shards);
+        if (!error) grades_.lock = lock_folder(output_.string());
         if (!error && !grades_.lock)
             return complain(fmt::format("another run of 'snell grade' writes into '{}'", options_.output),
                             "wait until it has ended, or choose another folder");
@@ -107,10 +107,9 @@ private:
     bool judge_reference(const std::string& common) {
         if (grades_.rubric.reference.empty()) return true;
         const std::string folder = reference_folder(output_.string()), key = common + "-reference";
-        const FolderLock lock = lock_reference(output_.string());
         grades_.reference = read_record(folder, grades_.rubric);
         if (grades_.reference->key == key && !options_.again) return true;
-        if (grades_.reference->key != key) remove_judged(folder);  // otherwise other parts may be reading its pictures
+        remove_judged(folder);
         const ToJudge work = work_on(key, "", grades_.rubric.reference, folder, "");
         bool graphics = true;
         run_apart(
@@ -195,8 +194,7 @@ Exit grade(const GradeOptions& options, Grades& grades) {
     const auto submissions = find_submissions(options.submissions, options.output, grades.rubric);
     if (!submissions) return exit_usage;
     warn_of_lists(grades.rubric, *submissions);
-    for (std::size_t i = 0; i < submissions->size(); ++i)
-        if (i % options.shards == options.shard) grades.all.push_back({(*submissions)[i], {}, false});
+    for (const Submission& submission : *submissions) grades.all.push_back({submission, {}, false});
     return Grading(options, grades).run();
 }
 

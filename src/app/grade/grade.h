@@ -16,8 +16,7 @@ namespace snell::app {
 struct GradeOptions {
     std::string rubric;
     std::vector<std::string> submissions;
-    std::string output;  // the folder of the report
-    std::size_t shard = 0, shards = 1;
+    std::string output;    // the folder of the report
     std::size_t jobs = 0;  // processes at a time; 0: as many as there are cores
     double gigabytes = 4;  // of memory that judging a submission may take; 0: no limit
     bool again = false;    // judges everything again, whatever is kept
@@ -33,7 +32,7 @@ struct Grades {
     FolderLock lock;  // of the folder of the report
     Rubric rubric;
     std::optional<Record> reference;
-    std::vector<GradedSubmission> all;  // of the shard
+    std::vector<GradedSubmission> all;
 };
 
 // The folders in that of the report.

@@ -1,6 +1,7 @@
 #include "src/app/grade/report_folder.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,30 +22,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view lock_name = ".lock";
-constexpr std::size_t most_parts = std::size_t{1} << 20;
-
-// Locks bytes of one file, which need not exist: one for each part, and one for the reference. Such locks are those of
-// the open file, so that they end with the process and hold between machines that share the folder.
-FolderLock lock_bytes(const std::string& output, std::size_t first, std::size_t count, bool wait) {
-    const FolderLock lock(new int(open((fs::path(output) / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
-                          [](const int* file) {
-                              if (*file >= 0) close(*file);
-                              delete file;
-                          });
-    struct flock bytes {};
-    bytes.l_type = F_WRLCK;
-    bytes.l_whence = SEEK_SET;
-    bytes.l_start = static_cast<off_t>(first);
-    bytes.l_len = static_cast<off_t>(count);
-    // The processes of a run that was killed end a moment after it.
-    for (int tries = 0; *lock >= 0 && fcntl(*lock, wait ? F_OFD_SETLKW : F_OFD_SETLK, &bytes) != 0; ++tries) {
-        if (errno == EINTR) continue;
-        if (errno != EAGAIN && errno != EACCES) break;
-        if (tries >= 20) return nullptr;
-        usleep(50'000);
-    }
-    return lock;
-}
 
 Json record_in(const fs::path& folder) {
     std::error_code error;
@@ -93,18 +70,27 @@ std::vector<fs::path> entries(const fs::path& folder) {
 
 }  // namespace
 
-FolderLock lock_part(const std::string& output, std::size_t part, std::size_t parts) {
-    return parts > 1 ? lock_bytes(output, std::min(part, most_parts - 1), 1, false)
-                     : lock_bytes(output, 0, most_parts, false);
+FolderLock lock_folder(const std::string& output) {
+    const FolderLock lock(new int(open((fs::path(output) / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
+                          [](const int* file) {
+                              if (*file >= 0) close(*file);
+                              delete file;
+                          });
+    // The processes of a run that was killed end a moment after it.
+    for (int tries = 0; *lock >= 0 && flock(*lock, LOCK_EX | LOCK_NB) != 0; ++tries) {
+        if (errno == EINTR) continue;
+        if (errno != EWOULDBLOCK) break;
+        if (tries >= 20) return nullptr;
+        usleep(50'000);
+    }
+    return lock;
 }
-
-FolderLock lock_reference(const std::string& output) { return lock_bytes(output, most_parts, 1, true); }
 
 bool may_hold_report(const std::string& output) {
     std::error_code error;
     if (!fs::exists(output, error) || fs::is_empty(output, error)) return true;
     const fs::path page = fs::path(output) / "index.html";
-    // A run that was killed, and parts of a run, have left no page, but made the lock before anything else.
+    // A run that was killed has left no page, but made the lock before anything else.
     return fs::exists(page, error) ? is_report_page(page) : fs::is_regular_file(fs::path(output) / lock_name, error);
 }
 

@@ -1,7 +1,6 @@
 // The folder of a report: which run writes into it, and which folders of submissions an earlier run has left in it.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <set>
 #include <string>
@@ -11,11 +10,8 @@ namespace snell::app {
 // Held while it exists, also by copies of the process.
 using FolderLock = std::shared_ptr<const int>;
 
-// A part of several runs at once locks itself; a run of the whole locks all parts. Null if another run has it. Where
-// the file system has no locks, nothing is locked.
-FolderLock lock_part(const std::string& output, std::size_t part, std::size_t parts);
-// Waits until no other run judges the reference.
-FolderLock lock_reference(const std::string& output);
+// Null if another run has it. Where the file system has no locks, nothing is locked.
+FolderLock lock_folder(const std::string& output);
 
 // The id (submissions.h) of the submission whose record is in the folder; "" if there is none.
 std::string submission_in(const std::string& folder);

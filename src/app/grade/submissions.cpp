@@ -131,8 +131,7 @@ void add_files(const fs::path& path, std::string& all) {
     }
 }
 
-// Tells this program and the modules that read submissions from those that were built again, also where several
-// machines have copies of them.
+// Tells this program and the modules that read submissions from those that were built again.
 std::string build_of_program() {
     std::string build;
     for (const std::string& file : {std::string("/proc/self/exe"), content::module_path("snell_oiio.so"),
