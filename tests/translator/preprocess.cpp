@@ -124,6 +124,18 @@ TEST(GlslPreprocess, TokensDoNotReferToTheOptions) {
     EXPECT_EQ(number->text, "8");
 }
 
+TEST(GlslPreprocess, OnlyParenthesesProtectCommasOfArguments) {
+    Sources sources;
+    Diagnostics said;
+    Unit unit;
+    const FileId file =
+        sources.add("a.frag", "#define SUM(a, b) a + b\nvoid main() { SUM(x[0, 1]); SUM(max(2., 3.), x[1]); }\n");
+    preprocess(unit, file, sources, {}, said);
+    std::string text;
+    for (const Token& token : unit.tokens) text += token.text;
+    EXPECT_EQ(text, "voidmain(){x[0+1];max(2.,3.)+x[1];}");
+}
+
 TEST(GlslPreprocess, HostileMacrosEnd) {
     std::string bomb = "#define A0 x x x x x x x x x x\n";
     for (int n = 1; n < 30; ++n)

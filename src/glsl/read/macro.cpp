@@ -57,14 +57,14 @@ struct MacroArguments {
     std::size_t end = 0;  // behind the closing parenthesis
 };
 
-// The arguments whose opening parenthesis is at in[i]; nothing if none closes it.
+// The arguments whose opening parenthesis is at in[i]; nothing if none closes it. Only parentheses protect commas.
 std::optional<MacroArguments> read_arguments(const std::vector<MacroToken>& in, std::size_t i) {
     MacroArguments arguments{{{}}, i};
     for (int depth = 0; i < in.size(); ++i) {
         const std::string_view t = in[i].text;
-        if (t == "(" || t == "[" || t == "{") {
+        if (t == "(") {
             if (depth++ == 0) continue;
-        } else if (t == ")" || t == "]" || t == "}") {
+        } else if (t == ")") {
             if (--depth == 0) {
                 arguments.end = i + 1;
                 return arguments;
