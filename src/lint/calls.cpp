@@ -26,16 +26,19 @@ std::vector<Walker::Expr> Walker::arguments() {
 
 Walker::Expr Walker::call() {
     Expr e;
-    e.first = p_;
+    const int at = e.first = p_;
     const std::string_view name = text();
     ++p_;
     if (is("[")) p_ = matching(p_) + 1;
     const std::vector<Expr> given = is("(") ? arguments() : std::vector<Expr>{};
     e.last = p_ - 1;
     const int after = p_;
-    if (const glsl::Function* f = find_function(name, given.size())) {
+    if (const glsl::Function* f = find_function(at, given.size())) {
         e.v = call_user(*f, given);
         p_ = after;
+    } else if (u_.function_names.contains(name)) {  // it is unknown which one
+        for (const Expr& a : given)
+            if (a.slot >= 0) forget(a.slot);
     } else if (const auto type = glsl::builtin_type(name)) {
         e.v = constructed(*type, given);
     } else {
@@ -54,11 +57,21 @@ Walker::Expr Walker::call() {
     return e;
 }
 
-const glsl::Function* Walker::find_function(std::string_view name, std::size_t arguments) const {
+// The body that a call runs; null where that is not certain.
+const glsl::Function* Walker::find_function(int name, std::size_t arguments) const {
+    const auto known = overloads_.find(name);
+    const glsl::Function* meant =
+        known == overloads_.end() ? nullptr : &u_.functions[static_cast<std::size_t>(known->second)];
+    const auto like = [](const glsl::Function& a, const glsl::Function& b) {
+        return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(), b.parameters.end(),
+                          [](const glsl::Parameter& x, const glsl::Parameter& y) { return x.type.same(y.type); });
+    };
     const glsl::Function* found = nullptr;
     for (const glsl::Function& f : u_.functions) {
-        if (f.name != name || f.parameters.size() != arguments) continue;
-        if (f.open >= 0 || !found) found = &f;
+        if (f.open < 0 || f.name != u_.at(name).text || f.parameters.size() != arguments) continue;
+        if (meant && !like(f, *meant)) continue;
+        if (found) return nullptr;
+        found = &f;
     }
     return found;
 }

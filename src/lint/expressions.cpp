@@ -17,6 +17,9 @@ bool is_constant(const Value& v) { return v.range.lo == v.range.hi && v.range.re
 // One number, the same in every component.
 std::optional<double> constant(const Value& v) { return is_constant(v) ? std::optional(v.range.lo) : std::nullopt; }
 
+// Of one sign in the whole picture: a product with it has both signs where the other factor has.
+bool keeps_sign(const Value& v) { return v.uniform >= 0 || v.range.lo > 0; }
+
 }  // namespace
 
 Walker::Expr Walker::expression() {
@@ -49,7 +52,8 @@ Walker::Expr Walker::assignment() {
 
 void Walker::assign(Expr& target, const Expr& value, std::string_view op) {
     if (!target.whole && op == "=" && target.last >= 0) note_channel(value.v, u_.at(target.last).text, value.first);
-    const Value result = op == "=" ? value.v : combine(target.v, value.v, op.substr(0, 1));
+    Value result = op == "=" ? value.v : combine(target.v, value.v, op.substr(0, 1));
+    if (op == "-=") note_difference(result, target, value);
     if (target.slot >= 0) {
         Slot& slot = state_.slots[static_cast<std::size_t>(target.slot)];
         if (!target.whole || unstable_.contains(target.slot)) {
@@ -99,7 +103,9 @@ Walker::Expr Walker::binary(int least) {
             note_factor(left, right);
         else
             left.factor = {};
-        left.v = combine(left.v, right.v, op);
+        Value result = combine(left.v, right.v, op);
+        if (op == "-") note_difference(result, left, right);
+        left.v = std::move(result);
         left.last = right.last;
         left.slot = -1;
     }
@@ -131,12 +137,17 @@ Value Walker::negate(const Value& v) {
     n.id = v.opposite ? v.opposite : fresh();
     n.opposite = v.id;
     n.range = negative(v.range);
+    if (v.difference.first >= 0) n.difference.turned = !v.difference.turned;
     n.uniform = -1;
     n.cosine.sign = -v.cosine.sign;
     n.one_plus = {};
     n.eta = {};
     std::swap(n.mirrored, n.mirrored_opposite);
     return n;
+}
+
+void Walker::note_difference(Value& v, const Expr& a, const Expr& b) {
+    if (!is_constant(a.v) && !is_constant(b.v)) v.difference = {a.first, b.last};
 }
 
 Value Walker::combine(const Value& a, const Value& b, std::string_view op) {
@@ -152,6 +163,7 @@ Value Walker::combine(const Value& a, const Value& b, std::string_view op) {
         else if (b.range.lo > 0)
             v.range = product(a.range, {1 / b.range.hi, 1 / b.range.lo, b.range.real_hi, b.range.real_lo}, false);
         if (a.type.rows > 1) v.space = a.space;
+        if (keeps_sign(b)) v.difference = a.difference;
     } else {
         v.type = glsl::make_type(Base::boolean);
     }
@@ -165,7 +177,6 @@ Value Walker::add(const Value& a, const Value& b, bool minus) {
     Value v;
     v.type = a.type.rows >= b.type.rows ? a.type : b.type;
     v.range = sum(a.range, minus ? negative(b.range) : b.range);
-    v.difference = minus && !is_constant(a) && !is_constant(b);
     v.space = a.space == b.space ? a.space : Space::unknown;
     if (a.space == Space::any) v.space = b.space;
     if (b.space == Space::any) v.space = a.space;
@@ -213,6 +224,7 @@ Value Walker::multiply(const Value& a, const Value& b) {
     }
     v.type = a.type.rows >= b.type.rows ? a.type : b.type;
     v.range = product(a.range, b.range, a.id != 0 && a.id == b.id);
+    if (keeps_sign(a) || keeps_sign(b)) v.difference = keeps_sign(a) ? b.difference : a.difference;
     const bool scaled = a.type.rows > 1 && b.type.scalar();
     const Value& x = scaled ? a : b;
     const Value& factor = scaled ? b : a;
@@ -282,6 +294,7 @@ void Walker::select(Expr& e, std::string_view member) {
         v.type = glsl::make_type(type.base, static_cast<int>(member.size()));
         v.range = e.v.range;
         v.bend = e.v.bend;
+        v.difference = e.v.difference;
         v.plain = e.v.plain;
         v.name = e.v.name;
         if (member.size() == 1) note_channel(e.v, member, p_ - 1);

@@ -161,15 +161,23 @@ Value Walker::call_dot(const std::vector<Expr>& given) {
     return v;
 }
 
+// Whether a condition around, or behind which some path ended, is about one of the variables.
+bool Walker::compared(int first, int last) const {
+    for (int k = first; k <= last; ++k)
+        if (u_.at(k).kind == Kind::identifier && conditions_.contains(u_.at(k).text) && u_.at(k - 1).text != "." &&
+            u_.at(k + 1).text != "(")
+            return true;
+    return false;
+}
+
 void Walker::call_pow(const std::vector<Expr>& given, int first, int last) {
     const Expr& base = given[0];
     if (base.v.one_plus.sign != 0) schlicks_.push_back({first, last, base.v.one_plus});
     const bool even = given[1].v.range.real_lo && given[1].v.range.lo == given[1].v.range.hi;
-    const bool squared_difference = base.v.difference && !base.v.range.real_lo && base.v.range.lo < 0 && even;
+    const Difference& difference = base.v.difference;
+    const bool squared_difference = difference.first >= 0 && !base.v.range.real_lo && base.v.range.lo < 0 && even;
     if (!(base.v.range.lo < 0 && base.v.range.real_lo) && !squared_difference) return;
-    for (int k = base.first; k <= base.last; ++k)
-        if (u_.at(k).kind == Kind::identifier && conditions_.contains(u_.at(k).text) && find(u_.at(k).text) >= 0)
-            return;
+    if (compared(base.first, base.last) || (squared_difference && compared(difference.first, difference.last))) return;
     const bool by_rounding = base.v.range.lo > -1e-5;
     report(Rule::pow_of_negative, base.first, base.last,
            fmt::format("'{}' can be {}: pow() is undefined there", words(base.first, base.last),

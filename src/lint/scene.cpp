@@ -9,6 +9,7 @@
 #include "parser/text/ranges.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
+#include "src/glsl/read/tree.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
@@ -146,10 +147,12 @@ private:
         options_.defines = ladder_defines(
             std::span(scene_.ladders).first(std::min(program.ladders, scene_.ladders.size())), plan_.rungs);
         std::vector<Unit> units(planned.stages.size());
+        std::vector<glsl::Tree> trees(units.size());
         for (std::size_t i = 0; i < units.size(); ++i) {
             units[i].stage = planned.stages[i].stage;
             units[i].reference = planned.stages[i].reference;
             Diagnostics unheard;  // compiling says it
+            units[i].tree = &trees[i];
             glsl::preprocess(units[i], planned.stages[i].file, sources_, options_, unheard);
             glsl::Parser(units[i], options_.target, unheard).run();
         }

@@ -43,6 +43,13 @@ struct Bend {
     bool operator==(const Bend& o) const { return base == o.base && shift == o.shift; }
 };
 
+// The difference of two things that no constant is among, perhaps times or over what keeps one sign.
+struct Difference {
+    int first = -1, last = -1;  // tokens
+    bool turned = false;        // its negative
+    bool operator==(const Difference&) const = default;
+};
+
 struct Value {
     glsl::Type type;
     int id = 0;             // equal for copies of one value
@@ -65,7 +72,7 @@ struct Value {
 
     // numbers
     Range range;
-    bool difference = false;  // of two things that no constant is among
+    Difference difference;
     int uniform = -1;         // it is that uniform itself: Unit::globals
     Cosine cosine, one_plus;  // it is such a cosine; 1 plus such a cosine
     Bend eta, bend;           // it is such an eta; a direction or a colour got with such an eta

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/glsl/read/tree.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 
@@ -13,6 +14,9 @@ using glsl::Storage;
 
 Walker::Walker(const glsl::Unit& unit, const Surroundings& around, const Varyings* given, Report report)
     : u_(unit), around_(around), given_(given), report_(std::move(report)) {
+    if (u_.tree)
+        for (const glsl::Node& node : *u_.tree)
+            if (node.form == glsl::Form::call && node.function >= 0) overloads_.emplace(node.first, node.function);
     scopes_.emplace_back();
     for (const glsl::Global& g : u_.globals) {
         declare(g.name, seed(g));
@@ -92,8 +96,10 @@ void Walker::condition_on(int first, int last) {
         if (u_.at(k).kind != Kind::identifier) continue;
         conditions_.insert(u_.at(k).text);
         const int slot = find(u_.at(k).text);
-        if (slot >= 0 && !state_.slots[static_cast<std::size_t>(slot)].constant)
-            state_.slots[static_cast<std::size_t>(slot)].value.range = {};
+        if (slot < 0 || state_.slots[static_cast<std::size_t>(slot)].constant) continue;
+        Value& value = state_.slots[static_cast<std::size_t>(slot)].value;
+        value.range = {};
+        value.difference = {};
     }
 }
 

@@ -109,6 +109,7 @@ private:
     Value add(const Value& a, const Value& b, bool minus);
     Value multiply(const Value& a, const Value& b);
     Value negate(const Value& v);
+    static void note_difference(Value& v, const Expr& a, const Expr& b);
     Value built_in(std::string_view name) const;
     Value constructed(const glsl::Type& type, const std::vector<Expr>& given);
 
@@ -116,7 +117,7 @@ private:
     Expr call();
     std::vector<Expr> arguments();
     Value call_user(const glsl::Function& f, const std::vector<Expr>& given);
-    const glsl::Function* find_function(std::string_view name, std::size_t arguments) const;
+    const glsl::Function* find_function(int name, std::size_t arguments) const;
     Value call_builtin(std::string_view name, const std::vector<Expr>& given, int first, int last);
     std::optional<Value> call_number(std::string_view name, const std::vector<Expr>& given);
     Value call_dot(const std::vector<Expr>& given);
@@ -127,6 +128,7 @@ private:
     void want_near(const Expr& left, const Expr& right);
     void note_factor(Expr& left, const Expr& right);
     void call_pow(const std::vector<Expr>& given, int first, int last);
+    bool compared(int first, int last) const;
     void want_unit(const Expr& e, std::string_view function, std::string_view role);
     void want_ratio(const std::vector<Expr>& given);
     void note_channel(const Value& v, std::string_view channel, int token);
@@ -164,6 +166,7 @@ private:
     std::vector<std::map<std::string_view, int>> scopes_;
     std::size_t frame_ = 1;                       // the first scope of the function being walked
     std::vector<const glsl::Function*> calling_;  // from main on
+    std::map<int, int> overloads_;                // Unit::functions that calls mean, by their name's token
     std::optional<Value> result_;                 // of the function being walked, so far
     std::optional<State> ended_;                  // what main left where it returned early
     std::set<int> unstable_;                      // global variables that functions assign

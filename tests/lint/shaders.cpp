@@ -35,6 +35,22 @@ TEST(LintUnit, ByWayOfVariablesAndFunctions) {
     expect_silent(body("vec3 n = vN; n = normalize(n);\ngl_FragColor = texture(uSky, reflect(vE, n));"));
 }
 
+TEST(LintUnit, TheOverloadThatACallMeans) {
+    const std::string_view both =
+        "vec3 turned(vec3 d, float k) { return normalize(d + k); }\n"
+        "vec3 turned(vec3 d, vec3 k);\n";
+    const std::string_view later = "\nvec3 turned(vec3 d, vec3 k) { return vN; }\n";
+    const auto shader = [&](std::string_view by) {
+        return lint_fragment("in vec3 vN, vE;\nuniform samplerCube uSky;\nuniform float uEta;\n" + std::string(both) +
+                                 "void main() { gl_FragColor = texture(uSky, reflect(vE, turned(vN, " +
+                                 std::string(by) + "))); }" + std::string(later),
+                             "uSky 6", "CubeMap 6 sky.hdr");
+    };
+    expect_silent(shader("uEta"));
+    expect_silent(shader("dot(vN, vE)"));
+    EXPECT_EQ(shader("vec3(uEta)").at("unnormalised-direction"), Places{"turned(vN, vec3(uEta))"});
+}
+
 TEST(LintUnit, SumsOfVectors) {
     EXPECT_EQ(body("vec3 n = normalize(vN) + vec3(.1, 0., 0.);\ngl_FragColor = texture(uSky, reflect(vE, n));")
                   .at("unnormalised-direction"),
@@ -91,6 +107,15 @@ TEST(LintPow, OfANegativeBase) {
     EXPECT_EQ(body("gl_FragColor = vec4(pow(sin(vN.x), 2.));").at("pow-of-negative"), Places{"sin(vN.x)"});
     EXPECT_EQ(body("gl_FragColor = vec4(pow(uX, 2.));", "uX <-1. .5 1.>").at("pow-of-negative"), Places{"uX"});
     EXPECT_EQ(body("gl_FragColor = vec4(pow(vN.x - uX, 2.));").at("pow-of-negative"), Places{"vN.x - uX"});
+    EXPECT_EQ(body("gl_FragColor = vec4(pow((vN.x - uX) / uEta, 2.));").at("pow-of-negative"),
+              Places{"(vN.x - uX) / uEta"});
+    EXPECT_EQ(body("float d = vN.x - uX;\nd *= uEta;\nfloat e = 2. * d / .3;\ngl_FragColor = vec4(pow(e, 2.));")
+                  .at("pow-of-negative"),
+              Places{"e"});
+    EXPECT_EQ(body("gl_FragColor = vec4(square((vN.xy - vec2(uX, .5)).y / uEta));", "",
+                   "float square(float x) { return pow(x, 2.); }\n")
+                  .at("pow-of-negative"),
+              Places{"x"});
 }
 
 TEST(LintPow, OfANormalAlongAnAxis) {
@@ -127,6 +152,15 @@ TEST(LintPow, ByRounding) {
 TEST(LintPow, OfWhatIsBoundedOrUnknown) {
     expect_silent(body(std::string(unit_vectors) + "gl_FragColor = vec4(pow(max(dot(n, e), 0.), 8.));"));
     expect_silent(body("gl_FragColor = pow(texture(uSky, vN), vec4(1. / 2.2));"));
+    // Of one sign by a condition, by a choice, or by what they are multiplied with.
+    const std::string_view guards[] = {"if (d < 0.) d = -d;",     "if (d < 0.) d = 0.;",
+                                       "d = d < 0. ? -d : d;",    "d = vN.x > uX ? vN.x - uX : uX - vN.x;",
+                                       "if (vN.x < uX) discard;", "d = abs(d);",
+                                       "d *= step(uX, vN.x);",    "d *= d;",
+                                       "d /= uX - vN.y;"};
+    for (const std::string_view guard : guards)
+        expect_silent(
+            body("float d = (vN.x - uX) / uEta;\n" + std::string(guard) + "\ngl_FragColor = vec4(pow(d, 2.));"));
     expect_silent(body("gl_FragColor = vec4(pow(sin(vN.x) * .5 + .5, 2.));"));
     expect_silent(body("gl_FragColor = vec4(pow(length(vN), uX));", "uX <0. 1. 5.>"));
     expect_silent(body(std::string(unit_vectors) +
