@@ -85,7 +85,9 @@ TEST_F(CommandLine, PixelsThatAreNoNumbersAreCountedWhenAsked) {
     const auto stats = nlohmann::json::parse(bytes_of(at("s.json")));
     EXPECT_EQ(stats["non_finite"]["nan"], 16);
     EXPECT_EQ(stats["non_finite"]["infinite"], 8);
-    EXPECT_EQ(snell("render " + at("good.glib") + " -o " + at("o.png") + " --size 8x8 --count-non-finite").output, "");
+    const std::string good = "render " + at("good.glib") + " -o " + at("o.png") + " --size 8x8 --count-non-finite";
+    EXPECT_EQ(snell(good).output, "snell: 0 pixels are NaN and 0 are infinite before they are clamped\n");
+    EXPECT_EQ(snell(good + " --quiet").output, "");
 }
 
 TEST_F(CommandLine, FramesAreAtTheirTimes) {
@@ -132,6 +134,14 @@ TEST_F(CommandLine, AFailedProgramIsAnErrorAtItsLine) {
     const Outcome outcome = snell("render " + at("broken.glib") + " -o " + at("o.png") + " --size 8x8");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_TRUE(outcome.says("broken.frag:1:")) << outcome.output;
+}
+
+TEST_F(CommandLine, ASceneThatCannotBeReadHasAReason) {
+    for (const std::string command : {"", "check "}) {
+        const Outcome missing = snell(command + at("none.glib"));
+        EXPECT_EQ(missing.status, 1);
+        EXPECT_TRUE(missing.says("cannot read '" + at("none.glib") + "': No such file or directory")) << missing.output;
+    }
 }
 
 TEST_F(CommandLine, NothingThatIsNotThereIsCreated) {

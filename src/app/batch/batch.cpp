@@ -74,10 +74,10 @@ Exit Batch::run() {
         cannot_write(shots_.files[records_[i].shot.index], written()[i].error);
         fail();
     }
-    if (non_finite_ && non_finite_->nan + non_finite_->infinite > 0)
-        fmt::print(stderr,
-                   "snell: warning: {} pixels are NaN and {} are infinite before they are clamped [non-finite]\n",
-                   non_finite_->nan, non_finite_->infinite);
+    if (const bool any = non_finite_ && non_finite_->nan + non_finite_->infinite > 0;
+        any || (non_finite_ && !options_.quiet))
+        fmt::print(stderr, "snell: {}{} pixels are NaN and {} are infinite before they are clamped{}\n",
+                   any ? "warning: " : "", non_finite_->nan, non_finite_->infinite, any ? " [non-finite]" : "");
     return status_;
 }
 

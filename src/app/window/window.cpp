@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <utility>
 
 #include "src/app/desktop/folder.h"
@@ -10,6 +9,7 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/window/app.h"
+#include "src/content/regular_file.h"
 
 namespace snell {
 
@@ -37,10 +37,10 @@ int run_window(const WindowOptions& options) {
     now.scene = only_scene(now.scene);
     std::optional<Carried> carried = restart.carried();
     if (carried) begin_with(*carried, now);
-    std::error_code none;
-    if (!carried && !now.scene.empty() && !std::filesystem::is_regular_file(now.scene, none) && !is_folder(now.scene)) {
-        return complain(app::exit_input, fmt::format("cannot read '{}'", options.scene));
-    }
+    std::string unreadable;
+    if (!carried && !now.scene.empty() && !is_folder(now.scene) &&
+        !content::read_regular_file(now.scene, now.access.limits.file_bytes, {}, unreadable))
+        return complain(app::exit_input, fmt::format("cannot read '{}': {}", options.scene, unreadable));
     // What is saved while one context is shown holds for the next, too.
     const GivenTexts given(now.access);
     Past past(kept_folder(settings_file()));
