@@ -134,7 +134,7 @@ struct Finder {
         }
         const std::vector<std::string> entries = list(folder);
         std::string elsewhere = in_folder_nearby(folder, entries, file);
-        if (!elsewhere.empty()) return join(where, elsewhere);
+        if (!elsewhere.empty()) return fs::path(join(where, elsewhere)).lexically_normal().string();
         std::vector<std::string_view> candidates;
         for (const std::string& entry : entries)
             if (same_kind(entry, file, extensions)) candidates.push_back(entry);
@@ -146,14 +146,23 @@ struct Finder {
         }
     }
 
-    // The same name one folder down, or one up.
+    // The same name one folder down, or one up, or in the only folder beside this one that has it.
     std::string in_folder_nearby(const std::string& folder, const std::vector<std::string>& entries,
                                  std::string_view file) const {
         constexpr std::size_t most = 1000;  // of entries that are looked into
         for (std::size_t i = 0; i < std::min(entries.size(), most); ++i)
             if (const std::string path = join(entries[i], file); is_regular(join(folder, path))) return path;
         const std::string above = join("..", file);
-        return is_regular(join(folder, above)) ? above : "";
+        if (is_regular(join(folder, above))) return above;
+        std::string beside;
+        const std::vector<std::string> neighbours = list(join(folder, ".."));
+        for (std::size_t i = 0; i < std::min(neighbours.size(), most); ++i) {
+            std::string path = join("../" + neighbours[i], file);
+            if (!is_regular(join(folder, path))) continue;
+            if (!beside.empty()) return {};
+            beside = std::move(path);
+        }
+        return beside;
     }
 
     std::string find_case(const std::string& base, const std::string& name) const {

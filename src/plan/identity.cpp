@@ -91,7 +91,10 @@ Identity texture_identity(const Scene& scene, Index index, const Files& files) {
     put(identity.key, 't', texture.target, texture.bits, texture.encoding == Encoding::srgb);
     Diagnostics unheard;
     for (const TextureFile& file : locate_texture(texture, files, unheard))
-        if (!put_file(identity, file.path)) return {};
+        if (file.noise > 0)
+            put(identity.key, 'n', file.noise);
+        else if (!put_file(identity, file.path))
+            return {};
     return identity;
 }
 

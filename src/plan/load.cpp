@@ -18,13 +18,11 @@ using content::PixelType;
 
 // Reports an issue of a loader at the place in the scene that names the file.
 template <class Issue>
-void report(const Issue& issue, std::string_view name, const Span& span, Diagnostics& diagnostics) {
+void report(const Issue& issue, std::string_view name, const Span& span, Diagnostics& diagnostics,
+            Severity harmless = Severity::warning) {
     std::string message = name.empty() ? issue.message : fmt::format("'{}': {}", name, issue.message);
-    if (issue.error) {
-        diagnostics.error(issue.code, span, std::move(message), issue.help);
-    } else {
-        diagnostics.warning(issue.code, span, std::move(message), issue.help);
-    }
+    diagnostics.add(
+        {issue.error ? Severity::error : harmless, issue.code, span, std::move(message), issue.help, {}, true});
 }
 
 content::MeshLimits mesh_limits(const Files& files) {
@@ -223,7 +221,8 @@ content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics&
     } else if (file == none) {
         result = content::make_shape(request.shape, request.wire, mesh_limits(files));
     }
-    for (const content::MeshIssue& issue : result.issues) report(issue, name, span, diagnostics);
+    for (const content::MeshIssue& issue : result.issues)
+        report(issue, name, span, diagnostics, issue.note ? Severity::note : Severity::warning);
     return std::move(result.mesh);
 }
 
@@ -233,6 +232,7 @@ Image load_texture(const Scene& scene, Index index, Files& files, Diagnostics& d
     const Texture& texture = scene.textures[index];
     ImageCache own;
     const TextureFile file = locate_texture(texture, files, diagnostics).at(0);
+    if (file.noise > 0) return to_upload(content::make_noise(texture.target == TextureTarget::d3 ? 3 : 2, file.noise));
     const Picture picture = file.path.empty() ? nullptr : decode(file.path, files, cache != nullptr ? *cache : own);
     const Image* image = usable(picture, file, diagnostics);
     Image result = image != nullptr ? declared(fitted(*image, texture, file, diagnostics), texture, file, diagnostics)

@@ -9,6 +9,7 @@
 #include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/content/cube/cubemap.h"
+#include "src/content/image/noise.h"
 
 namespace snell {
 namespace {
@@ -29,9 +30,27 @@ void say(Severity severity, std::string_view code, const Span& span, std::string
     diagnostics.add_once(std::move(diagnostic));
 }
 
-void report_missing(const FileName& file, const std::string& nearest, Diagnostics& diagnostics) {
-    say(Severity::error, "file-not-found", file.span, fmt::format("there is no file '{}'", file.name),
-        nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest), diagnostics, nearest);
+struct Missing {
+    std::string name;
+    Span span;
+    std::string nearest = {};
+};
+
+// The missing files of one statement are one mistake; `wants`: who needs them.
+void report_missing(const std::vector<Missing>& files, Diagnostics& diagnostics, std::string_view wants = {}) {
+    if (files.empty() || said(diagnostics, "file-not-found", files.front().span)) return;
+    Diagnostic diagnostic{Severity::error, "file-not-found", files.front().span, {}, {}, {}, true};
+    for (const Missing& file : files) {
+        diagnostic.message += fmt::format("{}'{}'", diagnostic.message.empty() ? "" : ", ", file.name);
+        if (file.span != diagnostic.span) diagnostic.also.push_back(file.span);
+        if (file.nearest.empty()) continue;
+        if (diagnostic.help.empty())
+            diagnostic.help = fmt::format("did you mean '{}'{}?", file.nearest, files.size() > 1 ? " and so on" : "");
+        diagnostic.fixes.push_back({file.span, text_of::name(file.nearest)});
+    }
+    diagnostic.message =
+        fmt::format("there {} {}{}", files.size() > 1 ? "are no files" : "is no file", diagnostic.message, wants);
+    diagnostics.add_once(std::move(diagnostic));
 }
 
 // Names are relative to the scene that contains them, which may be an included one.
@@ -46,7 +65,7 @@ std::string accept(const FileName& file, const Resolved& resolved, const Files& 
                 file, "it is outside of the folder that reading is confined to, and only files inside may be read",
                 diagnostics);
         else
-            report_missing(file, resolved.nearest, diagnostics);
+            report_missing({{file.name, file.span, resolved.nearest}}, diagnostics);
     } else if (resolved.inexact) {
         say(Severity::warning, "file-inexact", file.span, inexact_name(file.name, resolved.path),
             std::string(inexact_name_help), diagnostics, written_name(resolved.path, file.from, files));
@@ -70,13 +89,21 @@ std::vector<TextureFile> locate_faces(const FileName& file, const Files& files, 
             best = std::move(faces);
         }
     }
-    for (const TextureFile& face : best) {
-        if (!face.path.empty()) continue;
-        say(Severity::error, "file-not-found", file.span,
-            fmt::format("there is no file '{}', which '{}' needs as one of its six faces", face.name, file.name), {},
-            diagnostics);
-    }
+    std::vector<Missing> missing;
+    for (const TextureFile& face : best)
+        if (face.path.empty()) missing.push_back({face.name, file.span});
+    report_missing(missing, diagnostics,
+                   fmt::format(" for {} of '{}'", missing.size() > 1 ? "faces" : "a face", file.name));
     return best;
+}
+
+// Texels a side of the noise that a file of this name would hold; 0 for other names.
+int noise_size(const Texture& texture, std::string_view name, const Files& files) {
+    const bool deep = texture.target == TextureTarget::d3;
+    if (!deep && texture.target != TextureTarget::d2) return 0;
+    const int size = content::noise_file_size(deep ? 3 : 2, name.substr(name.find_last_of("/\\") + 1));
+    const auto most = static_cast<int>(deep ? files.limits().noise_3d : files.limits().noise_2d);
+    return size <= most ? size : 0;
 }
 
 }  // namespace
@@ -149,13 +176,25 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
         if (result.empty()) result.push_back({file.name, accept(file, whole, files, diagnostics), file.span});
         return result;
     }
+    std::vector<Missing> missing;
     for (const FileName& file : texture.files) {
         Resolved resolved = resolve(file, file.name, image_extensions(), files);
+        if (resolved.path.empty() && !resolved.outside)
+            if (const int noise = noise_size(texture, file.name, files)) {
+                result.push_back({file.name, {}, file.span, noise});
+                continue;
+            }
         // posx.bmp is not a slip for posy.bmp, which is one of the other five.
         const bool other = ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
         if (other) resolved.nearest.clear();
-        result.push_back({file.name, accept(file, resolved, files, diagnostics), file.span});
+        if (resolved.path.empty() && !resolved.outside) {
+            missing.push_back({file.name, file.span, resolved.nearest});
+            result.push_back({file.name, {}, file.span});
+        } else {
+            result.push_back({file.name, accept(file, resolved, files, diagnostics), file.span});
+        }
     }
+    report_missing(missing, diagnostics, missing.size() > 1 ? " for faces of the cube map" : "");
     return result;
 }
 

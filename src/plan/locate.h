@@ -38,6 +38,7 @@ struct TextureFile {
     std::string name;  // for messages
     std::string path;  // empty if the file was not found, which has been reported
     Span span;
+    int noise = 0;  // texels a side of glman's noise, which is made where its file is not there
 };
 // Locates the files of a texture that is not computed; reports missing ones.
 std::vector<TextureFile> locate_texture(const Texture& texture, const Files& files, Diagnostics& diagnostics);

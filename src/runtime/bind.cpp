@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -32,8 +33,10 @@ Diagnostic unbound(const Scene& scene, const Draw& draw, const Sampled& sampled)
             draw.span,
             fmt::format("'{}' reads texture unit {}, but {} is bound there: it reads as black", sampled.sampler->name,
                         sampled.unit, other ? fmt::format("no {}", command) : "nothing"),
-            fmt::format("bind one with '{} {} {}' before the draw", command, sampled.unit,
-                        command == "CubeMap" ? "FILES" : "FILE"),
+            contains(sampled.sampler->name, "noise") && (command == "Texture2D" || command == "Texture3D")
+                ? fmt::format("the sampler of snell's own noise is called 'Noise{}'", command[7])
+                : fmt::format("bind one with '{} {} {}' before the draw", command, sampled.unit,
+                              command == "CubeMap" ? "FILES" : "FILE"),
             {}};
 }
 

@@ -137,8 +137,17 @@ TEST(Resolve, SuggestsTheSameNameInAFolderNearby) {
     EXPECT_EQ(files.resolve("earth.bmp", {"bmp"}).nearest, "textures/earth.bmp");
     EXPECT_EQ(files.resolve("moon.bmp", {"bmp"}).nearest, "../moon.bmp");
     EXPECT_EQ(files.resolve("gone/eartth.bmp", {"bmp"}).nearest, "earthy.bmp") << "files were gathered in one folder";
+    folder.write("images/wall.bmp", "x");
+    folder.write("lab/images/wall.bmp.txt", "x");
+    EXPECT_EQ(files.resolve("wall.bmp", {"bmp"}).nearest, "../images/wall.bmp");
+    EXPECT_EQ(files.resolve("textures/wall.bmp", {"bmp"}).nearest, "");
+    EXPECT_EQ(files.resolve("images/earth.bmp", {"bmp"}).nearest, "textures/earth.bmp");
+    folder.write("other/wall.bmp", "x");
+    const Files again(folder.path("lab"));
+    EXPECT_EQ(again.resolve("wall.bmp", {"bmp"}).nearest, "") << "it is not certain which one";
     const Files confined(folder.path("lab"), {{}, folder.path("lab")});
     EXPECT_EQ(confined.resolve("moon.bmp", {"bmp"}).nearest, "") << "what is outside is not named";
+    EXPECT_EQ(confined.resolve("../images/wall.bmp", {"bmp"}).nearest, "");
 }
 
 // A search reads whole folders, and scenes ask for the same thousands of times.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/plan/identity.h"
 #include "src/plan/plan.h"
 #include "src/plan/read/texts.h"
 #include "tests/plan/uniforms.h"
@@ -243,6 +244,43 @@ TEST_F(Planning, TheOtherFacesAreNotSuggested) {
     plan();
     ASSERT_EQ(codes_of(diagnostics), Codes{"file-not-found"});
     EXPECT_EQ(diagnostics.items()[0].help, "");
+}
+
+TEST_F(Planning, MissingFacesAreOneError) {
+    const std::vector<std::string> six{"px.bmp", "nx.bmp", "py.bmp", "ny.bmp", "pz.bmp", "nz.bmp"};
+    folder.write("px.bmp", "x");
+    folder.write("sky/ny.bmp", "x");
+    const Index sky = texture(6, TextureTarget::cube, six);
+    const Plan made = plan();
+    ASSERT_EQ(codes_of(diagnostics), Codes{"file-not-found"});
+    const Diagnostic& said = diagnostics.items()[0];
+    EXPECT_EQ(said.message,
+              "there are no files 'nx.bmp', 'py.bmp', 'ny.bmp', 'pz.bmp', 'nz.bmp' for faces of the cube map");
+    EXPECT_EQ(said.help, "did you mean 'sky/ny.bmp' and so on?");
+    EXPECT_EQ(said.span, scene.textures[sky].files[1].span);
+    load_cube(made.scene, sky, files, diagnostics);
+    const auto codes = codes_of(diagnostics);
+    EXPECT_EQ(std::count(codes.begin(), codes.end(), "file-not-found"), 1) << "loading repeats none of the faces";
+    texture(7, TextureTarget::cube, {"px.bmp", "wall.bmp", "px.bmp", "px.bmp", "px.bmp", "px.bmp"});
+    diagnostics = {};
+    plan();
+    EXPECT_EQ(diagnostics.items().back().message, "there is no file 'wall.bmp'");
+}
+
+// glman leaves its noise beside scenes, and some name it.
+TEST_F(Planning, NoiseThatAFileWouldHoldIsMade) {
+    const Index deep = texture(6, TextureTarget::d3, {"noise3d.016.tex"});
+    const Index flat = texture(7, TextureTarget::d2, {"textures\\Noise2D.032.tex"});
+    texture(8, TextureTarget::d2, {"noise3d.016.tex"});
+    texture(9, TextureTarget::d3, {"noise3d.9999.tex"});
+    const Plan made = plan();
+    EXPECT_EQ(codes_of(diagnostics), (Codes{"file-not-found", "file-not-found"})) << "of another kind, and too large";
+    diagnostics = {};
+    EXPECT_EQ(load_texture(made.scene, deep, files, diagnostics).pixels, load_noise(3, 16, files, diagnostics).pixels);
+    EXPECT_EQ(load_texture(made.scene, flat, files, diagnostics).pixels, load_noise(2, 32, files, diagnostics).pixels);
+    EXPECT_TRUE(diagnostics.empty());
+    EXPECT_NE(texture_identity(made.scene, deep, files).key, "");
+    EXPECT_NE(texture_identity(made.scene, deep, files).key, texture_identity(made.scene, flat, files).key);
 }
 
 TEST_F(Planning, DisplayListFindsTextureOfLaterStatements) {

@@ -120,6 +120,11 @@ TEST_P(Unbound, TheWarningSaysWhatToDo) {
               std::string::npos)
         << said;
     EXPECT_NE(said.find("bind one with 'Texture2D 5 FILE' before the draw"), std::string::npos) << said;
+    folder.write("noise.frag",
+                 "uniform sampler3D Noise3D;\nvoid main() { gl_FragColor = texture3D(Noise3D, vec3(.5)); }\n");
+    auto noise = open("Noise3D 16\nVertex plain.vert\nFragment noise.frag\nProgram N\nQuadXY\n");
+    EXPECT_NE(render(noise->diagnostics, noise->sources).find("the sampler of snell's own noise is called 'Noise3'"),
+              std::string::npos);
     auto other = open("CubeMap 5 red.bmp red.bmp red.bmp red.bmp red.bmp red.bmp\n" + scene(kinds[1]));
     EXPECT_NE(render(other->diagnostics, other->sources).find("but no Texture2D is bound there"), std::string::npos);
 }

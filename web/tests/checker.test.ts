@@ -176,11 +176,12 @@ const missing = (code: string, message: string, file: string): Problem => ({
 test('files without a scene go to where the scene misses them', () => {
     const problems = [
         missing('file-not-found', "there is no file 'img/Wall.png'", 'room/room.glib'),
+        missing('file-not-found', "there are no files 'px.bmp', 'nx.bmp' for faces of 'p.bmp'", 'room/room.glib'),
         missing('include-not-found', "'../u.glib' cannot be read", 'room/room.glib'),
         missing('missing-include', "cannot read the included file 'z.glsl'", 'room/sub/b.frag'),
         problem("there is no file 'x'"),
     ];
-    assert.deepEqual(missingFiles(problems), ['room/img/Wall.png', 'u.glib', 'room/sub/z.glsl']);
+    assert.deepEqual(missingFiles(problems), ['room/img/Wall.png', 'room/px.bmp', 'room/nx.bmp', 'u.glib', 'room/sub/z.glsl']);
     const open = { scene: 'room/room.glib', files: new Map([['room/sub/b.frag', utf8('')]]), problems };
     const dropped = new Map(['wall.png', 'z.glsl', 'sub/b.frag', 'new/n.txt'].map((name) => [name, utf8(name)]));
     const placedNames = [...placed(dropped, open.scene, open.files, missingFiles(problems)).keys()];

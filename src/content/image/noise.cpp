@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
+#include "parser/text/words.h"
 #include "src/content/parallel.h"
 
 namespace snell::content {
@@ -169,6 +171,13 @@ std::string noise_file_name(int dimensions, int size) {
     std::string digits = std::to_string(size);
     if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
     return "noise" + std::to_string(dimensions) + "d." + digits + ".tex";
+}
+
+int noise_file_size(int dimensions, std::string_view name) {
+    constexpr std::size_t digits = std::string_view("noise3d.").size();
+    if (name.size() < digits) return 0;
+    const int size = std::atoi(std::string(name.substr(digits, 6)).c_str());
+    return size > 0 && same_word(name, noise_file_name(dimensions, size)) ? size : 0;
 }
 
 }  // namespace snell::content

@@ -12,5 +12,7 @@ Image make_noise(int dimensions, int size);
 
 // The name of the file that replaces generated noise, such as "noise3d.064.tex".
 std::string noise_file_name(int dimensions, int size);
+// The size that such a name, in whatever case, is of; 0 for other names.
+int noise_file_size(int dimensions, std::string_view name);
 
 }  // namespace snell::content

@@ -47,6 +47,7 @@ struct MeshIssue {
     std::string code;  // stable, in kebab-case
     std::string message;
     std::string help;
+    bool note = false;  // not an error, and nothing that the picture shows
 };
 
 struct MeshLimits {

@@ -175,7 +175,8 @@ MeshResult parse_obj(std::string_view text, ObjAs as, bool wire, const MeshLimit
     std::size_t flat = 0;
     const std::vector<Corners> triangles = triangles_of(data, flat);
     if (flat > 0)
-        result.issues.push_back({false, "obj-zero-area", fmt::format("{} triangles have zero area", flat), ""});
+        result.issues.push_back({false, "obj-zero-area", fmt::format("{} triangles have zero area", flat),
+                                 "nothing is drawn of them: the picture is the same without", true});
 
     const Weld places = weld(data.positions);
     Mesh& mesh = result.mesh;

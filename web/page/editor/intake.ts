@@ -10,8 +10,8 @@ const missingCodes = new Set(['file-not-found', 'include-not-found', 'missing-in
 // The files that the scene names and that are not there, as they would be called.
 export function missingFiles(problems: readonly Problem[]): string[] {
     const names = problems.flatMap(({ code, message, at }) => {
-        const name = missingCodes.has(code) ? /'([^']+)'/.exec(message)?.[1] : undefined;
-        return name && at ? [resolve(folderOf(at.file), name)] : [];
+        const list = missingCodes.has(code) && at ? (/'[^']+'(?:, '[^']+')*/.exec(message)?.[0] ?? '') : '';
+        return [...list.matchAll(/'([^']+)'/g)].map(([, name]) => resolve(folderOf(at!.file), name));
     });
     return [...new Set(names)];
 }
