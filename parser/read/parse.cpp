@@ -24,7 +24,8 @@ struct LostLines {
     Diagnostic diagnostic;
     Span program;  // the statement; empty: others stand between
     std::string name;
-    std::uint32_t end = 0;  // of the last of these lines
+    std::uint32_t begin = 0, end = 0;  // of the last of these lines
+    bool braced = false;               // braces are around them
 };
 
 class SceneParser {
@@ -94,13 +95,69 @@ private:
         }
         report_lost_lines();
         if (!command->takes(ArgumentKind::rest)) report_decimal_commas(statement, reader.lexer(), report_);
-        const bool good = match(*command, statement, reader, report_, arguments);
+        const bool is_program = command->name == "Program";
+        std::optional<LostLines> block = is_program ? braces(statement, reader.lexer()) : std::nullopt;
+        const Statement read = block ? Statement{unbraced_} : statement;
+        const bool good = match(*command, read, reader, report_, arguments);
         if (good) command->handler(builder_, arguments);
-        program = good && command->name == "Program" ? reader.span(statement) : Span{};
+        program = good && is_program ? reader.span(read) : Span{};
+        if (!block) return;
+        block->program = program;
+        lost_ = std::move(block);
+    }
+
+    static bool has_surplus_brace(std::span<const Token> tokens, const Lexer& lexer) {
+        const auto of = [&](TokenKind kind) { return ranges::count(tokens, kind, &Token::kind); };
+        return lexer.text(tokens.back()) == "}" && of(TokenKind::close) > of(TokenKind::open);
+    }
+
+    // `Program Name {` … `}`: in `unbraced_` the statement without its braces. They are not those of a colour.
+    std::optional<LostLines> braces(const Statement& statement, const Lexer& lexer) {
+        unbraced_.assign(statement.tokens.begin(), statement.tokens.end());
+        const auto open = ranges::find(unbraced_, TokenKind::open, &Token::kind);
+        const auto name = static_cast<std::size_t>(open - unbraced_.begin()) + 1;
+        if (name < 3 || name > unbraced_.size() || lexer.text(*open) != "{") return std::nullopt;
+        const std::span<const Token> rest = std::span(unbraced_).subspan(name);
+        const bool closed = rest.size() == 1 && rest[0].kind == TokenKind::close;
+        if (!rest.empty() && !closed && !looks_like_uniform(rest, lexer, true)) return std::nullopt;
+        LostLines block = block_at(lexer.span(*open), rest.empty() ? "\\" : "");
+        unbraced_.erase(open);
+        if (has_surplus_brace(unbraced_, lexer)) {
+            block.diagnostic.fixes.push_back({lexer.span(unbraced_.back()), ""});
+            unbraced_.pop_back();
+        }
+        return block;
+    }
+
+    static LostLines block_at(Span brace, std::string_view instead) {
+        LostLines block{{}, {}, {}, 0, 0, true};
+        block.diagnostic = {
+            Severity::error, "wrong-bracket", brace, "the uniforms of a program are not written in braces", {}, {}};
+        block.diagnostic.fixes.push_back({brace, std::string(instead)});
+        return block;
+    }
+
+    // A brace alone on its line, behind a Program or its uniforms.
+    bool take_brace(const Lexer& lexer, const Statement& statement, Span program) {
+        const Span span = lexer.span(statement.command());
+        const std::string_view brace = lexer.text(statement.command());
+        if (statement.tokens.size() > 1 || program == Span{}) return false;
+        if (brace == "{" && !lost_) {
+            lost_ = block_at({span.file, program.end, span.end}, " \\");
+            lost_->diagnostic.span = span;
+            lost_->program = program;
+        } else if (brace == "}" && lost_ && lost_->braced) {
+            lost_->diagnostic.fixes.push_back({span, ""});
+            report_lost_lines();
+        } else {
+            return false;
+        }
+        return true;
     }
 
     void unknown(const StatementReader& reader, const Statement& statement, Span program) {
         const Lexer& lexer = reader.lexer();
+        if (take_brace(lexer, statement, program)) return;
         const Span span = lexer.span(statement.command());
         const std::string word(lexer.text(statement.command()).substr(0, 60));
         Program* const current = builder_.program();
@@ -136,12 +193,15 @@ private:
         Diagnostic& d = lost_->diagnostic;
         if (program != Span{}) {
             const int begin = line_of(program.file, program.begin), end = line_of(program.file, program.end);
-            const int last = line_of(program.file, d.also.empty() ? d.span.begin : d.also.back().begin) - 1;
-            d.help = "'Program' on line " + std::to_string(begin) + " is not continued: end " +
-                     (d.also.empty() || last <= end
-                          ? "line " + std::to_string(end)
-                          : "each line from " + std::to_string(end) + " to " + std::to_string(last)) +
-                     " with '\\'";
+            const int last = line_of(program.file, lost_->begin) - 1;
+            const std::string lines =
+                (last <= end ? "line " + std::to_string(end)
+                             : "each line from " + std::to_string(end) + " to " + std::to_string(last)) +
+                " with '\\'";
+            if (lost_->braced)
+                d.help = lost_->end == 0 ? "remove them" : "remove them, and end " + lines;
+            else
+                d.help = "'Program' on line " + std::to_string(begin) + " is not continued: end " + lines;
             d.notes.push_back({program, "the values are taken for this program all the same"});
         } else {
             d.help =
@@ -160,19 +220,26 @@ private:
         const Span span = lexer.span(statement.command());
         const std::uint32_t end = statement.tokens.back().end;
         const auto goes_on = [&](std::uint32_t at) { return Fix{{span.file, at, at}, " \\"}; };
+        std::span<const Token> tokens = statement.tokens;
         if (lost_ && lost_->program == program) {
-            lost_->diagnostic.also.push_back(span);
-            lost_->diagnostic.fixes.push_back(goes_on(std::exchange(lost_->end, end)));
+            if (!lost_->braced) lost_->diagnostic.also.push_back(span);
+            if (lost_->end > 0) lost_->diagnostic.fixes.push_back(goes_on(lost_->end));
+            if (lost_->braced && has_surplus_brace(tokens, lexer)) {
+                lost_->diagnostic.fixes.push_back({lexer.span(tokens.back()), ""});
+                tokens = tokens.first(tokens.size() - 1);
+            }
+            lost_->begin = span.begin;
+            lost_->end = tokens.back().end;
         } else {
             report_lost_lines();
-            lost_ = LostLines{{}, program, current.name, end};
+            lost_ = LostLines{{}, program, current.name, span.begin, end};
             if (program != Span{}) lost_->diagnostic.fixes.push_back(goes_on(program.end));
             lost_->diagnostic.code = "unknown-command";
             lost_->diagnostic.span = span;
             lost_->diagnostic.message =
                 "unknown command '" + std::string(lexer.text(statement.command()).substr(0, 60)) + "'";
         }
-        UniformList list = read_uniforms(statement.tokens, lexer, report_, limits_, false);
+        UniformList list = read_uniforms(tokens, lexer, report_, limits_, false);
         for (UniformValue& u : list.uniforms) {
             const auto same = std::find_if(current.uniforms.begin(), current.uniforms.end(),
                                            [&](const UniformValue& other) { return other.name == u.name; });
@@ -241,6 +308,7 @@ private:
     std::vector<OpenText> open_;
     std::uint64_t statements_ = 0, included_ = 0;
     std::optional<LostLines> lost_;
+    std::vector<Token> unbraced_;
 };
 
 }  // namespace

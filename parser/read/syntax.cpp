@@ -95,16 +95,25 @@ void StatementReader::report_oddities() {
         report_.warning("stray-backslash", span, "a '\\' in the middle of a line continues nothing");
 }
 
+bool is_decimal_comma(std::span<const Token> all, std::size_t i, const Lexer& lexer) {
+    if (i == 0 || i + 1 >= all.size() || lexer.text(all[i]) != ",") return false;
+    const Token &left = all[i - 1], &right = all[i + 1];
+    if (!all[i].glued || !right.glued || !is_whole(lexer.text(left)) || !is_whole(lexer.text(right))) return false;
+    const auto joins = [&](std::size_t comma) { return lexer.text(all[comma]) == "," && all[comma + 1].glued; };
+    const bool before = i > 1 && left.glued && joins(i - 2);
+    const bool after = i + 3 < all.size() && all[i + 2].glued && joins(i + 2);
+    return !before && !after && lexer.text(right).front() >= '0';
+}
+
 void report_decimal_commas(const Statement& statement, const Lexer& lexer, Report& report) {
     const std::span<const Token> all = statement.arguments();
     int depth = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         depth += all[i].kind == TokenKind::open ? 1 : all[i].kind == TokenKind::close ? -1 : 0;
-        if (depth > 0 || i == 0 || i + 1 == all.size() || lexer.text(all[i]) != ",") continue;
+        if (depth > 0 || !is_decimal_comma(all, i, lexer)) continue;
         const Token &left = all[i - 1], &right = all[i + 1];
-        const bool alone = !left.glued && all[i].glued && right.glued && (i + 2 == all.size() || !all[i + 2].glued);
+        if (left.glued || (i + 2 < all.size() && all[i + 2].glued)) continue;
         const std::string a(lexer.text(left)), b(lexer.text(right));
-        if (!alone || !is_whole(a) || !is_whole(b) || b.front() < '0') continue;
         report.warning("decimal-comma", {lexer.file(), left.begin, right.end},
                        "'" + a + "," + b + "' is read as two numbers, " + a + " and " + b,
                        "for one number write a point: " + a + "." + b + "; for two, a blank between them");

@@ -16,6 +16,9 @@ struct Statement {
     std::span<const Token> arguments() const { return tokens.subspan(1); }
 };
 
+// Whether token i is a comma between the digits of two words, with neither blanks nor further such commas.
+bool is_decimal_comma(std::span<const Token> all, std::size_t i, const Lexer& lexer);
+
 // Warns of a comma between two digits outside of brackets, which is read as two numbers. Three and more numbers with
 // commas between them are a list.
 void report_decimal_commas(const Statement& statement, const Lexer& lexer, Report& report);

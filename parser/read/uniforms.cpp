@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parser/read/syntax.h"
 #include "parser/text/number.h"
 #include "parser/text/utf8.h"
 #include "parser/text/words.h"
@@ -49,11 +50,13 @@ private:
         return tokens_[i].kind == TokenKind::word && plausible_number(text(i));
     }
 
-    bool names_uniform(std::size_t i) const { return is(i, TokenKind::word) && !looks_numeric(text(i)); }
+    bool names_uniform(std::size_t i) const {
+        return is(i, TokenKind::word) && !looks_numeric(text(i)) && !unfilled(text(i));
+    }
 
-    // After a name, the words true and false are values.
+    // After a name, the words true and false are values, and so is what was to be replaced by one.
     bool begins_value_of_name(std::size_t i) const {
-        return begins_value(i) || (is(i, TokenKind::word) && truth(text(i)) >= 0);
+        return begins_value(i) || (is(i, TokenKind::word) && (truth(text(i)) >= 0 || unfilled(text(i))));
     }
 
     // An element of an array of uniforms: name[2]. Gives the token after it.
@@ -197,14 +200,19 @@ private:
             return true;
         }
         u.integral = true;
-        bool good = number(u);
-        while (true) {
-            std::size_t next = at_;
-            while (is(next, TokenKind::comma)) ++next;
-            if (!is(next, TokenKind::word) || !plausible_number(text(next))) break;
+        bool good = true, template_value = false;
+        for (std::size_t next = at_; is(next, TokenKind::word) || is(next, TokenKind::comma); ++next) {
+            if (is(next, TokenKind::comma)) continue;
+            const bool blank = unfilled(text(next));
+            if (!blank && !plausible_number(text(next))) break;
+            template_value = template_value || blank;
             at_ = next;
-            good = number(u) && good;
+            if (blank)
+                ++at_;
+            else
+                good = number(u) && good;
         }
+        if (template_value) return report_template(u, span(first, at_ - 1), '<');
         if (at_ - first == 1) return good;
         u.kind = UniformValue::Kind::array;
         report_.warning("missing-bracket", span(first, at_ - 1), "several numbers are written in brackets: [x y z]",
@@ -217,9 +225,13 @@ private:
         const char bracket = text(open)[0];
         u.integral = true;
         bool good = true, template_value = false;
+        const std::vector<std::size_t> commas = decimal_commas(open);
+        std::vector<Fix> points;
         for (; at_ < tokens_.size();) {
             const Token& token = tokens_[at_];
-            if (token.kind == TokenKind::comma) {
+            if (std::find(commas.begin(), commas.end(), at_) != commas.end()) {
+                decimal(u, points);
+            } else if (token.kind == TokenKind::comma) {
                 ++at_;
             } else if (token.kind == TokenKind::word && truth(text(at_)) >= 0) {
                 boolean(u);
@@ -237,12 +249,53 @@ private:
         }
         close(u, open, bracket);
         const Span where = span(open, at_ - 1);
-        if (template_value) {
-            report_.error("unfilled-template", where, "the values of '" + u.name + "' were never filled in",
-                          "write numbers: <min current max>");
-            return false;
+        if (!points.empty()) {
+            const Span first = points.front().span;
+            report_
+                .warning("decimal-comma", where,
+                         "'" + std::string(lexer_.text().substr(first.begin, first.end - first.begin)) +
+                             "' is read as " + points.front().text,
+                         "write numbers with a point: a comma separates them")
+                .fixes = std::move(points);
         }
+        if (template_value) return report_template(u, where, bracket);
         return good && finish(u, bracket, where);
+    }
+
+    bool report_template(const UniformValue& u, Span where, char bracket) {
+        report_.error("unfilled-template", where, "the values of '" + u.name + "' were never filled in",
+                      bracket == '{'   ? "write numbers: {r g b}"
+                      : bracket == '<' ? "write numbers: <min current max>"
+                                       : "write numbers: [x y z]");
+        return false;
+    }
+
+    // Commas between two digits of a group, where as decimal points they leave as many numbers as are due: the tokens
+    // before them. Nothing where the numbers are fine as they are.
+    std::vector<std::size_t> decimal_commas(std::size_t open) const {
+        const bool range = text(open)[0] == '<';
+        if (!range && text(open)[0] != '{') return {};
+        std::vector<std::size_t> found;
+        std::size_t numbers = 0;
+        for (std::size_t i = open + 1; i < tokens_.size(); ++i) {
+            if (tokens_[i].kind == TokenKind::close) break;
+            if (tokens_[i].kind == TokenKind::open || tokens_[i].line_start) return {};
+            numbers += tokens_[i].kind == TokenKind::word ? 1 : 0;
+            if (is_decimal_comma(tokens_, i, lexer_)) found.push_back(i - 1);
+        }
+        const std::size_t most = range ? 3 : 4, meant = numbers - found.size();
+        return numbers > most && meant <= most && meant >= 3 ? found : std::vector<std::size_t>{};
+    }
+
+    // The number of two words with a comma between them.
+    void decimal(UniformValue& u, std::vector<Fix>& points) {
+        const Span where = span(at_, at_ + 2);
+        const std::string point = std::string(text(at_)) + "." + std::string(text(at_ + 2));
+        u.integral = false;
+        u.values.push_back(read_number(point).value);
+        u.value_spans.push_back(where);
+        points.push_back({where, point});
+        at_ += 3;
     }
 
     // A word inside a group that is no number: it belongs to the group if the closing bracket still comes

@@ -127,6 +127,8 @@ bool looks_numeric(std::string_view text) {
     return (i < text.size() && digit(text[i])) || names_no_number(text) || odd_minus(text);
 }
 
+bool unfilled(std::string_view text) { return !text.empty() && text.find_first_not_of('?') == text.npos; }
+
 bool plausible_number(std::string_view text) {
     if (!looks_numeric(text)) return false;
     const Number number = read_number(text);
@@ -151,7 +153,7 @@ void report_number(Report& report, const Number& number, std::string_view text, 
             report.warning("number-suffix", span, quoted + " has something after the number, which is ignored");
             break;
         case NumberFault::not_a_number:
-            report.error("not-a-number", span, quoted + " is not a number",
+            report.error("not-a-number", span, quoted + (unfilled(text) ? " was never filled in" : " is not a number"),
                          instead.empty() ? std::string() : "the default, " + std::string(instead) + ", is used");
             break;
         case NumberFault::hexadecimal:

@@ -34,6 +34,9 @@ bool looks_numeric(std::string_view text);
 // True if the text can only be meant as a number, unlike "3D" or "1.bmp".
 bool plausible_number(std::string_view text);
 
+// True if the text is the question mark of a template, or several.
+bool unfilled(std::string_view text);
+
 // True if the number was written without point and exponent.
 bool written_integral(std::string_view text);
 
