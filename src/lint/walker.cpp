@@ -192,7 +192,9 @@ void Walker::loop() {
     const int last = body_end(close + 1);
     int semicolon = p_;
     while (semicolon < close && u_.at(semicolon).text != ";") ++semicolon;
-    const double rounds = rounds_of({p_, semicolon, semicolon + 1, close, close + 1, last}), weight = weight_;
+    const bool broken = counted && semicolon == close;
+    const double rounds = broken ? 0 : rounds_of({p_, semicolon, semicolon + 1, close, close + 1, last});
+    const double weight = weight_;
     go_round(rounds, open - 1, close);
     weight_ *= std::max(rounds, 1.0);
     forget_assigned(p_, last);

@@ -37,6 +37,10 @@ OWN = {
     "command after a mark of UTF-8": case("\ufeffSpher 1\n"),
     "primitive": case("glBegin gl_triangel\nglVertex 0. 0. 0.\nglVertex 1. 0. 0.\nglVertex 0. 1. 0.\nglEnd\n"),
     "choice": case("CullFace bakc\nSphere 1\n"),
+    "shader: two equals signs": case(fragment=FRAGMENT.replace("main() {", "main() {\n    float k == 1.;")),
+    "shader: no equals sign": case(fragment="const float K 2.;\n" + FRAGMENT),
+    "shader: elseif": case(fragment=FRAGMENT.replace("gl_F", "if (uKa > 1.) return; elseif (uKa < .1) discard;\n    gl_F")),
+    "shader: macro that assigns": case(fragment="#define K = 2.\n" + FRAGMENT.replace("uKa *", "uKa * K *")),
     "backslash": case(SCENE.replace(" uKa", "\n    uKa")),
     "backslashes": case(SCENE.replace("uKa <0. .5 1.>", "\n  uKa <0. .5 1.>\n  uKb 1."), fragment=FRAGMENT.replace(
         "uniform", "uniform float uKb;\nuniform", 1).replace("uKa *", "uKa * uKb *")),

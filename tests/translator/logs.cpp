@@ -96,6 +96,26 @@ TEST(Logs, AreExplainedWordForWord) {
     EXPECT_GE(files, 30);
 }
 
+TEST(Logs, AUniformThatOnlyTheSceneHasIsToBeDeclared) {
+    const std::string scene = "Program Demo uTex 6 uSky 7 uTint {1. .5 0.} uKd <0. 1. 2.>\n";
+    const std::string shader =
+        "void main() {\nvec4 c = texture2D(uTex, vec2(0.)) + textureCube(uSky, vec3(1.));\n"
+        "gl_FragColor = vec4(uTint * uKd, 1.) + c;\n}\n";
+    for (const auto& [log, help] : {std::pair("0:2(20): error: `uTex' undeclared\n", "uniform sampler2D uTex;"),
+                                    std::pair("0:2(51): error: `uSky' undeclared\n", "uniform samplerCube uSky;"),
+                                    std::pair("0:3(21): error: `uTint' undeclared\n", "uniform vec3 uTint;"),
+                                    std::pair("ERROR: 0:3: 'uKd' : undeclared identifier\n", "uniform float uKd;")}) {
+        Program program;
+        program.add("demo.frag", shader);
+        const FileId file = program.sources.add("demo.glib", scene);
+        Diagnostics said;
+        explain_log(log, program.translation, &program.translation.stages[0],
+                    {file, 0, static_cast<std::uint32_t>(scene.size())}, "Demo", program.sources, said);
+        ASSERT_EQ(said.items().size(), 1U) << log;
+        EXPECT_EQ(said.items()[0].help, "declare it here: " + std::string(help));
+    }
+}
+
 // Mesa says that types do not fit, and not which: the translation knows them.
 TEST(Logs, RefusedOperandsAreNamed) {
     struct Case {

@@ -2,21 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <span>
 
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
-
-bool equal_but_case(std::string_view a, std::string_view b) {
-    const auto same = [](char x, char y) {
-        return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
-    };
-    return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
-}
 
 // Components of a float vector type or of float: 1 to 4; 0 for others.
 int components(std::string_view type) {
@@ -27,7 +21,9 @@ int components(std::string_view type) {
 
 std::string conversion_help(std::string_view from, std::string_view to) {
     const int have = components(from), want = components(to);
-    if (have > want && want >= 1) {
+    if (have > want && want == 1)
+        return fmt::format("length(…) makes one number of a {0}; '.x' after it takes one component", from);
+    if (have > want && want > 1) {
         constexpr std::string_view swizzle = "xyzw";
         return fmt::format("take {} of its components: write '.{}' after the {}", want,
                            swizzle.substr(0, static_cast<std::size_t>(want)), from);
@@ -43,18 +39,30 @@ std::string conversion_help(std::string_view from, std::string_view to) {
 
 Span span_of(FileId file, const Declared& d) { return {file, d.begin, d.end}; }
 
+// The one name that begins so; empty if there are several or none.
+std::string_view only_longer(std::string_view beginning, const std::vector<std::string_view>& names) {
+    std::string_view found;
+    for (const std::string_view name : names) {
+        if (beginning.size() < 3 || !same_word(name.substr(0, beginning.size()), beginning)) continue;
+        if (!found.empty() && found != name) return {};
+        found = name;
+    }
+    return found;
+}
+
 // The declaration whose name is nearest to `name`: equal but for capitals first, then uniforms that nothing uses.
 // Variables can't be called.
 const Declared* nearest_declared(std::string_view name, const std::vector<Declared>& all, bool called = false) {
     std::vector<std::string_view> names, unused;
     for (const Declared& d : all) {
         if (d.name == name || (called && !d.function && !d.type.empty())) continue;
-        if (equal_but_case(d.name, name)) return &d;
+        if (same_word(d.name, name)) return &d;
         names.push_back(d.name);
         if (d.qualifier == "uniform" && d.uses == 0) unused.push_back(d.name);
     }
     std::string_view best = nearest(name, unused);
     if (best.empty()) best = nearest(name, names);
+    if (best.empty()) best = only_longer(name, names);
     if (best.empty()) return nullptr;
     return &*std::find_if(all.begin(), all.end(), [&](const Declared& d) { return d.name == best; });
 }
@@ -110,6 +118,65 @@ std::string_view bound_sampler(std::string_view name) {
     return found == all.end() || !found->type.starts_with("sampler") ? std::string_view() : found->type;
 }
 
+// A comment took the declaration with it.
+bool hint_comment(std::string_view name, FileId file, const Context& context, Diagnostic& diagnostic) {
+    const std::string_view text = context.sources.text(file);
+    const std::vector<Word>& read = context.texts.words(file);
+    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        const auto offset = static_cast<std::uint32_t>(at);
+        if (std::binary_search(read.begin(), read.end(), Word{offset},
+                               [](const Word& a, const Word& b) { return a.begin < b.begin; }))
+            continue;
+        std::string_view line = context.sources.line(file, context.sources.position(file, offset).line);
+        for (const std::string_view opening : {"//", "/*"})
+            if (const std::size_t begin = line.rfind(opening); begin != line.npos) line.remove_prefix(begin + 2);
+        for (const Declared& d : declared(line, words(line))) {
+            if (d.name != name || !builtin_type(d.type)) continue;
+            diagnostic.help = "its declaration is part of a comment";
+            diagnostic.notes.push_back({{file, offset, offset + static_cast<std::uint32_t>(name.size())}, "here"});
+            return true;
+        }
+    }
+    return false;
+}
+
+// The type of a uniform that nothing declares: of what the function that gets it wants, or the scene gives it.
+std::string type_given(std::string_view name, std::string_view scene, std::span<const Word> value,
+                       std::string_view shader, std::span<const Word> read) {
+    for (std::size_t i = 2; i < read.size(); ++i) {
+        if (text_of(shader, read[i]) != name || text_of(shader, read[i - 1]) != "(") continue;
+        const std::string_view function = text_of(shader, read[i - 2]);
+        if (!function.starts_with("texture")) continue;
+        return function.starts_with("textureCube") ? "samplerCube"
+               : function.starts_with("texture3D") ? "sampler3D"
+                                                   : "sampler2D";
+    }
+    if (value.empty() || std::string_view("{[").find(text_of(scene, value[0])) == std::string_view::npos)
+        return "float";
+    std::size_t n = 0;
+    for (std::size_t i = 1; i < value.size() && std::string_view("}]").find(text_of(scene, value[i])) == scene.npos;
+         ++i)
+        n += text_of(scene, value[i]).find_first_of("0123456789") == std::string_view::npos ? 0 : 1;
+    return n >= 2 && n <= 4 ? fmt::format("vec{}", n) : "float";
+}
+
+// The scene gives it a value: its declaration was forgotten.
+bool hint_given(std::string_view name, FileId file, const Context& context, Diagnostic& diagnostic) {
+    const Span& where = context.where;
+    const std::string_view scene = context.sources.text(where.file).substr(where.begin, where.end - where.begin);
+    const std::vector<Word> given = words(scene);
+    for (std::size_t i = 2; i < given.size(); ++i) {
+        if (text_of(scene, given[i]) != name) continue;
+        const std::string type = type_given(name, scene, std::span(given).subspan(i + 1), context.sources.text(file),
+                                            context.texts.words(file));
+        diagnostic.help = fmt::format("declare it here: uniform {} {};", type, name);
+        diagnostic.notes.push_back(
+            {{where.file, where.begin + given[i].begin, where.begin + given[i].end}, "the scene gives it a value"});
+        return true;
+    }
+    return false;
+}
+
 void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic,
                      bool called = false) {
     if (!place.known) return;
@@ -127,8 +194,10 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
         return;
     }
+    if (!called && hint_comment(name, place.file, context, diagnostic)) return;
+    if (!called && hint_given(name, place.file, context, diagnostic)) return;
     const Declared* d = nearest_declared(name, all, called);
-    const std::string_view sampler = called || (d && equal_but_case(d->name, name)) ? "" : bound_sampler(name);
+    const std::string_view sampler = called || (d && same_word(d->name, name)) ? "" : bound_sampler(name);
     if (!sampler.empty()) {
         diagnostic.help = fmt::format("declare it: uniform {} {};", sampler, name);
         return;
@@ -148,6 +217,18 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         diagnostic.help = hand_on(name);
         return;
     }
+    constexpr std::pair<std::string_view, std::string_view> shadertoy[] = {
+        {"iTime", "float uTime"}, {"iResolution", "vec2 uResolution"}, {"iMouse", "vec2 uMouse"}};
+    for (const auto& [theirs, ours] : shadertoy)
+        if (name == theirs) diagnostic.help = fmt::format("Shadertoy's: declare and write 'uniform {};' here", ours);
+    const std::vector<Word>& read = context.texts.words(place.file);
+    const std::string_view text = context.sources.text(place.file);
+    for (std::size_t i = 1; i + 2 < read.size(); ++i)
+        if (diagnostic.help.empty() && !name.starts_with("gl_") && read[i].line == place.line &&
+            text_of(text, read[i]) == name && text_of(text, read[i + 1]) == "=" && text_of(text, read[i + 2]) != "=" &&
+            std::string_view(";{}").find(text_of(text, read[i - 1])) != std::string_view::npos)
+            diagnostic.help = fmt::format("where it first gets a value, its type comes before it: float {} = …", name);
+    if (!diagnostic.help.empty()) return;
     if (const std::string_view built_in = nearest(name, builtin_names()); !built_in.empty() && built_in != name) {
         diagnostic.help = fmt::format("did you mean '{}'?", built_in);
         suggest(diagnostic, name, built_in, context);
@@ -179,6 +260,7 @@ void hint_returns(const Entry& entry, const Place& place, const Context& context
 
 void hint_call(const Entry& entry, std::string_view name, const Place& place, const Context& context,
                Diagnostic& diagnostic) {
+    if (name.empty() && entry.kind == Kind::no_function) diagnostic.help = "is an operator missing before the '('?";
     const std::string_view parameters = builtin_parameters(name);
     if (!parameters.empty()) {
         const int wants = count_arguments(parameters);

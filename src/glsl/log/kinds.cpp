@@ -36,6 +36,7 @@ constexpr auto patterns = std::to_array<Pattern>({
     {"too few parameters in function call*", Kind::few_arguments, "-"},
     {"too many parameters in function call*", Kind::many_arguments, "-"},
     {"cannot call a non-function*", Kind::no_function, "-"},
+    {"function name is not an identifier*", Kind::no_function, "-"},
 
     {"'return' with wrong type *, in function '*' returning *", Kind::returns, "a-b"},
     {"could not implicitly convert return value to *, in function '*'*", Kind::returns, "b-"},

@@ -67,19 +67,24 @@ Around around(std::string_view text, const std::vector<Word>& all, std::uint32_t
     return a;
 }
 
-// `#define PI 3.14;` breaks the lines that use PI.
+// `#define PI 3.14;` and `#define PI = 3.14` break the lines that use PI.
 bool hint_macro(const Around& a, const Place& place, Diagnostic& diagnostic) {
     for (std::size_t i = 0; i + 1 < a.all.size(); ++i) {
         if (!a.all[i].directive || a.word(i) != "define") continue;
         std::size_t last = i;
         while (last + 1 < a.all.size() && a.all[last + 1].directive && a.all[last + 1].line == a.all[i].line) ++last;
-        if (a.word(last) != ";") continue;
+        const bool assigned = a.word(i + 2) == "=" && i + 2 <= last;
+        if (!assigned && a.word(last) != ";") continue;
+        const std::size_t surplus = assigned ? i + 2 : last;
         for (const Word& w : a.all) {
             if (w.line != place.line || w.directive || text_of(a.text, w) != a.word(i + 1)) continue;
             diagnostic.span = {place.file, w.begin, w.end};
-            diagnostic.help = fmt::format("the macro '{}' ends with a ';': remove it there", a.word(i + 1));
-            diagnostic.notes.push_back({a.span(place.file, last), "this ';' comes along wherever the macro is used"});
-            diagnostic.fixes = {{a.span(place.file, last), ""}};
+            diagnostic.help = fmt::format("the macro '{}' {} a '{}': remove it there", a.word(i + 1),
+                                          assigned ? "begins with" : "ends with", a.word(surplus));
+            diagnostic.notes.push_back(
+                {a.span(place.file, surplus),
+                 fmt::format("this '{}' comes along wherever the macro is used", a.word(surplus))});
+            diagnostic.fixes = {{a.span(place.file, surplus), ""}};
             return true;
         }
     }
@@ -129,6 +134,47 @@ bool hint_character(Span span, std::string_view text, Diagnostic& diagnostic) {
     return true;
 }
 
+// Two operands, or a sign too many, where one word says what was meant.
+bool hint_words(const Around& a, const Place& place, Diagnostic& diagnostic) {
+    const std::string_view here = a.word(a.at), next = a.word(a.at + 1), before = a.before();
+    for (const Word& w : a.all)
+        if (const std::string_view word = text_of(a.text, w);
+            w.line == place.line && (word == "elseif" || word == "elif" || word == "elsif")) {
+            diagnostic.span = {place.file, w.begin, w.end};
+            diagnostic.help = "did you mean 'else if'?";
+            diagnostic.fixes = {{diagnostic.span, "else if"}};
+            return true;
+        }
+    const bool name = a.at > 0 && a.all[a.at - 1].name;
+    const bool number = std::isdigit(static_cast<unsigned char>(here[0])) != 0 || (here[0] == '.' && here.size() > 1);
+    if (here == "=" && next == "=" && name && a.parens == 0) {
+        diagnostic.help = "'==' compares; '=' gives a value";
+        diagnostic.fixes = {{{place.file, a.all[a.at].begin, a.all[a.at + 1].end}, "="}};
+    } else if (number && a.at > 1 && name && a.all[a.at - 2].name && builtin_type(a.word(a.at - 2))) {
+        diagnostic.help = fmt::format("a '=' is missing before '{}'", here);
+        diagnostic.fixes = {{{place.file, a.all[a.at].begin, a.all[a.at].begin}, "= "}};
+    } else if (a.all[a.at].name && next == "(" && a.depth == 0 && (before == ";" || before == "}" || a.at == 0)) {
+        diagnostic.help = fmt::format("the type of what it returns comes before a function's name: float {}(…)", here);
+    } else if (number && a.parens > 0 && ends_operand(before) && a.all[a.at - 1].line == a.all[a.at].line) {
+        diagnostic.help = fmt::format("an operator or a ',' is missing before '{}'", here);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+// A '?' that chooses nothing is a template's.
+bool hint_template(const Around& a, const Place& place, Diagnostic& diagnostic) {
+    for (std::size_t i = 1; i < a.all.size(); ++i) {
+        if (a.all[i].line != place.line || a.word(i) != "?" || ends_operand(a.word(i - 1))) continue;
+        diagnostic.span = a.span(place.file, i);
+        diagnostic.message.replace(0, diagnostic.message.find(" ("), "this '?' was never filled in");
+        diagnostic.help = "write what belongs there";
+        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
@@ -137,7 +183,9 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
     const Around a = around(text, context.texts.words(place.file), place.span.begin);
     if (a.at < a.all.size()) {
         if (hint_character(a.span(place.file, a.at), text, diagnostic)) return;
+        if (hint_template(a, place, diagnostic)) return;
         if (hint_macro(a, place, diagnostic) || hint_semicolon(a, place, diagnostic)) return;
+        if (hint_words(a, place, diagnostic)) return;
         const bool two_names =
             a.at > 0 && a.all[a.at - 1].name && a.all[a.at].name && a.all[a.at - 1].line == a.all[a.at].line;
         if (two_names && hint_unknown_type(a.before(), a.span(place.file, a.at - 1), diagnostic)) return;

@@ -264,7 +264,8 @@ void Preprocessor::perform(std::string_view name, std::string_view rest, std::si
     } else if (name == "pragma" && unit_.stage == Stage::fragment && rest.find("STDGL") != rest.npos) {
         return blank_out(start, end);  // `invariant(all)`, which newer versions refuse where nothing is passed on
     } else if (name != "pragma" && name != "line" && name != "error" && !name.empty()) {
-        diagnostics_.warning("unknown-directive", span(start, end), "unknown directive: it is left out");
+        diagnostics_.warning("unknown-directive", span(start, end), "unknown directive: it is left out",
+                             "a comment begins with '//'");
         return blank_out(start, end);
     } else {
         return;
