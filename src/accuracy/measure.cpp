@@ -74,7 +74,7 @@ public:
 
     SweepResult run() {
         pictures();
-        if (options_.times && !over()) rounds();
+        if (options_.times && !spent()) rounds();
         conclude(result_, again_, options_.seed);
         return std::move(result_);
     }
@@ -99,16 +99,26 @@ private:
         return result_.interrupted;
     }
 
-    // True if no further picture should be drawn.
+    // True if no further picture should be drawn: half of the time is for times.
     bool over() {
-        if (left() <= 0) result_.late = true;
+        if (left() <= (options_.times ? options_.seconds / 2 : 0)) result_.late = true;
         return stopped() || result_.late;
+    }
+    // True if not even the last rung and the current one should be drawn or timed.
+    bool spent() {
+        if (left() + options_.spare <= 0) result_.late = true;
+        return stopped() || left() + options_.spare <= 0;
     }
 
     void say(std::string_view doing, double done, double seconds) {
         if (options_.report) options_.report({result_.sweep.name, doing, done, seconds});
     }
 
+    // What the current rung is compared with if there is time for nothing else: the last one, or the first.
+    std::size_t other() const {
+        const Sweep& sweep = result_.sweep;
+        return sweep.reference != sweep.current ? sweep.reference : sweep.current == 0 ? 1 : 0;
+    }
     const Variant& variant(std::size_t rung) const { return result_.sweep.rungs[rung].variant; }
 
     // The pixels of the reference that change when the draws of the varied ladders are left out; all if none is known.
@@ -143,7 +153,7 @@ private:
 
     // True, and noted, if the time was up before anything could be said.
     bool given_up() {
-        if (over()) result_.cannot_say = result_.interrupted ? "it was interrupted" : "the time was up";
+        if (spent()) result_.cannot_say = result_.interrupted ? "it was interrupted" : "the time was up";
         return !result_.cannot_say.empty();
     }
 
@@ -159,7 +169,7 @@ private:
             std::chrono::duration<double>(std::min(seconds_since(start_), references.seconds())));
         if (given_up()) return;
         const bool knob = result_.sweep.kind == SweepKind::knob;
-        goal.last = bench_.picture(variant(at), nullptr, [&] { return knob ? over() : stopped(); });
+        goal.last = bench_.picture(variant(at), nullptr, [&] { return knob ? spent() : stopped(); });
         if (given_up() || goal.reference->picture.rgba.empty() || (!goal.last && !knob)) return;
         goal.own = own_region(*goal.reference);
         if (!knob) goal.facing = bench_.directions(variant(at));
@@ -168,6 +178,7 @@ private:
         if (goal.last)
             draw_rung(at, goal);  // the reference and the scene's own rung first: without them the others say little
         if (result_.sweep.current != at) draw_rung(result_.sweep.current, goal);
+        if (!knob && other() != at && other() < result_.rungs.size()) draw_rung(other(), goal);
         for (std::size_t i = 0; i < result_.rungs.size() && !over(); ++i)
             if (!result_.rungs[i].drawn) draw_rung(i, goal);
         widen(goal);
@@ -194,7 +205,7 @@ private:
     void draw_rung(std::size_t i, const Goal& goal) {
         say("pictures", static_cast<double>(i) / static_cast<double>(result_.rungs.size()), 0);
         const bool is_last = i == result_.sweep.reference;
-        const bool wanted = is_last || i == result_.sweep.current;
+        const bool wanted = is_last || i == result_.sweep.current || i == other();
         auto picture =
             is_last ? goal.last : bench_.picture(variant(i), nullptr, [&] { return wanted ? stopped() : over(); });
         if (!picture) return;
@@ -221,6 +232,7 @@ private:
 
     void rounds() {
         const std::size_t base = result_.sweep.current;
+        const bool ladder = result_.sweep.kind == SweepKind::ladder;  // the last setting of a knob may be too expensive
         result_.clock = bench_.choose_clock(variant(base));
         std::vector<Entrant> entrants;
         for (std::size_t i = 0; i < result_.rungs.size(); ++i)
@@ -231,12 +243,13 @@ private:
         Rounds rounds(std::move(entrants),
                       {.clock = result_.clock,
                        .base = base,
+                       .kept = ladder && other() < result_.rungs.size() ? other() : base,
                        .rounds = options_.rounds,
                        .at_least = options_.at_least,
                        .seed = options_.seed,
                        .seconds_left = [this] { return left(); },
-                       .over = [this] { return over(); },
-                       .stopped = [this] { return stopped() || left() <= 0; },
+                       .over = [this] { return left() <= 0; },
+                       .stopped = [this] { return spent(); },
                        .report = [this](std::string_view doing, double done) { say(doing, done, left()); }});
         while (rounds.step()) {
         }

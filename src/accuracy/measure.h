@@ -77,6 +77,7 @@ struct Progress {
 struct MeasureOptions {
     int rounds = 31;      // at most; fewer if they do not fit into the time, which is decided before the first one
     double seconds = 30;  // time for this sweep; expensive rungs skip rounds, or are not drawn, to stay within it
+    double spare = 0;     // more of it, for the last rung and the current one: without them nothing is known
     References* references = nullptr;  // null: the sweep draws its own, in a quarter of its time
     bool times = true;                 // if false, only errors are measured
     double at_least = 20;              // minimum milliseconds of a sample: faster frames are drawn several times

@@ -14,51 +14,85 @@ Rounds::Rounds(std::vector<Entrant> entrants, RoundOptions options)
       frame_(entrants_.size()),
       times_(entrants_.size()),
       stride_(entrants_.size(), 1),
-      random_(options_.seed) {}
+      random_(options_.seed) {
+    for (std::size_t i = entrants_.size(); i-- > 0;)
+        if (i != options_.base && i != options_.kept) to_warm_.push_back(i);
+    if (options_.kept != options_.base) to_warm_.push_back(options_.kept);
+    to_warm_.push_back(options_.base);
+}
 
 bool Rounds::step() {
-    if (warmed_ < entrants_.size()) return warm_next();
+    if (!to_warm_.empty()) return warm_next();
     if (!decided_) decide();
     return round_ < rounds_ && time_next();
 }
 
 bool Rounds::warm_next() {
-    const std::size_t i = warmed_++;
-    if (options_.over()) {
-        warmed_ = entrants_.size();
+    const std::size_t i = to_warm_.back();
+    to_warm_.pop_back();
+    const bool first = i == options_.base || i == options_.kept;
+    // Warming up one more takes the time of those that there are rounds for.
+    const bool full = !first && stride(1e3 * options_.seconds_left()) > 1e3 * options_.seconds_left();
+    if (full || options_.stopped() || (!first && options_.over())) {
+        to_warm_.clear();
         return true;
     }
-    options_.report("warming up", static_cast<double>(i) / static_cast<double>(entrants_.size()));
+    options_.report("warming up", 1 - static_cast<double>(to_warm_.size() + 1) / static_cast<double>(entrants_.size()));
     frame_[i] = entrants_[i].warm_up(options_.clock);
     return true;
 }
 
+std::size_t Rounds::taking_part() const {
+    return static_cast<std::size_t>(
+        std::count_if(frame_.begin(), frame_.end(), [](const auto& frame) { return frame.has_value(); }));
+}
+
+std::size_t Rounds::needed() const {
+    return std::min(std::max(rounds_for(taking_part()), fewest_rounds), static_cast<std::size_t>(options_.rounds));
+}
+
+// In milliseconds.
+double Rounds::sample(std::size_t i) const {
+    return *frame_[i] > 500 ? *frame_[i] : *frame_[i] + std::max(*frame_[i], options_.at_least);
+}
+
 // If there is time for as many rounds as a front needs, all take part in all of them. Otherwise, so many rounds are the
 // aim, and entrants that would use more than their share of the time take part in every second, fourth or eighth:
-// then those of any two have as many rounds in common as possible.
-void Rounds::decide() {
-    const double time = std::max(1e3 * options_.seconds_left(), 0.0);
-    const auto most = static_cast<std::size_t>(options_.rounds);
-    const std::size_t needed = std::min(std::max(rounds_for(frame_.size()), fewest_rounds), most);
-    const double share = time / static_cast<double>(frame_.size() + 1);
+// then those of any two have as many rounds in common as possible. Returns the milliseconds that these rounds take.
+double Rounds::stride(double time) {
+    const auto rounds = static_cast<double>(needed());
+    const double share = time / static_cast<double>(taking_part() + 1);
     double whole = 0, strided = 0;  // milliseconds of a round
     for (std::size_t i = 0; i < frame_.size(); ++i) {
         if (!frame_[i]) continue;
-        const double sample = *frame_[i] > 500 ? *frame_[i] : *frame_[i] + std::max(*frame_[i], options_.at_least);
-        const double wanted = std::ceil(sample * static_cast<double>(needed) / std::max(share, 1e-3));
+        const double wanted = std::ceil(sample(i) * rounds / std::max(share, 1e-3));
         // Ensures at least three rounds.
-        const double last = std::max(std::floor(static_cast<double>(needed) / 3), 1.0);
+        const double last = std::max(std::floor(rounds / 3), 1.0);
         stride_[i] = std::min(std::bit_ceil(static_cast<std::size_t>(std::clamp(wanted, 1.0, last))),
                               std::bit_floor(static_cast<std::size_t>(last)));
         const double times = i == options_.base ? 2 : 1;
-        whole += times * sample;
-        strided += times * sample / static_cast<double>(stride_[i]);
+        whole += times * sample(i);
+        strided += times * sample(i) / static_cast<double>(stride_[i]);
     }
-    if (whole * static_cast<double>(needed) <= time) {
-        std::fill(stride_.begin(), stride_.end(), 1);
-        strided = whole;
+    if (whole * rounds > time && taking_part() > 2) return strided * rounds;
+    std::fill(stride_.begin(), stride_.end(), 1);
+    return whole * rounds;
+}
+
+void Rounds::decide() {
+    const double time = std::max(1e3 * options_.seconds_left(), 0.0);
+    double wanted = stride(time);
+    for (; wanted > time && taking_part() > 2; wanted = stride(time)) {
+        std::size_t most = options_.base;
+        for (std::size_t i = 0; i < frame_.size(); ++i)
+            if (frame_[i] && i != options_.base && i != options_.kept &&
+                (most == options_.base || *frame_[i] > *frame_[most]))
+                most = i;
+        frame_[most].reset();
     }
-    rounds_ = static_cast<std::size_t>(std::clamp(time / std::max(strided, 1e-3), 1.0, static_cast<double>(most)));
+    // Two are timed in the rounds that they need, until it is stopped.
+    const double rounds = static_cast<double>(needed()) * std::max(time / std::max(wanted, 1e-3), 1.0);
+    rounds_ = static_cast<std::size_t>(std::clamp(rounds, 1.0, static_cast<double>(options_.rounds)));
     decided_ = true;
 }
 

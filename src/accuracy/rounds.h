@@ -20,17 +20,19 @@ struct Entrant {
 struct RoundOptions {
     ClockKind clock = ClockKind::wall;
     std::size_t base = 0;  // the entrant that is timed twice
+    std::size_t kept = 0;  // the last one that is left out, besides `base`
     int rounds = 31;       // at most
     double at_least = 20;  // minimum milliseconds of a sample
     std::uint64_t seed = 1;
     std::function<double()> seconds_left;
-    std::function<bool()> over;     // asked before each warm-up
-    std::function<bool()> stopped;  // asked before each sample
+    std::function<bool()> over;     // asked before each warm-up but that of `base` and `kept`
+    std::function<bool()> stopped;  // asked before each sample, and each warm-up
     std::function<void(std::string_view doing, double done)> report;
 };
 
 // How many rounds are measured is decided before the first: rounds until the result pleases would favour chance.
-// Expensive entrants take part in every n-th, so that none uses more than its share of the time.
+// Expensive entrants take part in every n-th, so that none uses more than its share of the time. If there is no time
+// for as many rounds as a front needs, the most expensive entrants are left out: fewer rungs, not fewer rounds.
 class Rounds {
 public:
     Rounds(std::vector<Entrant> entrants, RoundOptions options);
@@ -47,6 +49,10 @@ private:
     void begin_round();
     bool time_next();
     void decide();
+    std::size_t taking_part() const;
+    std::size_t needed() const;
+    double sample(std::size_t entrant) const;
+    double stride(double time);
     void take(std::size_t entrant, const Times& times);
 
     std::vector<Entrant> entrants_;
@@ -54,8 +60,9 @@ private:
     std::vector<std::optional<double>> frame_;  // milliseconds after warming up; nullopt: it does not take part
     std::vector<std::vector<Times>> times_;
     std::vector<double> again_;
-    std::vector<std::size_t> order_;  // of those that this round has yet to time, from the back
-    std::size_t warmed_ = 0, round_ = 0, rounds_ = 0;
+    std::vector<std::size_t> order_;    // of those that this round has yet to time, from the back
+    std::vector<std::size_t> to_warm_;  // from the back
+    std::size_t round_ = 0, rounds_ = 0;
     std::vector<std::size_t> stride_;
     bool decided_ = false;
     std::mt19937_64 random_;

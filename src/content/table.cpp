@@ -160,7 +160,7 @@ std::string table_text(const Table& table, std::size_t columns) {
 }
 
 std::string table_html(const Table& table) {
-    std::string text = "<table><tr>";
+    std::string text = "<div class=\"scroll\"><table><tr>";
     for (const Table::Column& column : table.columns)
         text += fmt::format("<th class=\"{}\">{}</th>", class_of(column.kind), escaped(column.name));
     text += "</tr>";
@@ -171,7 +171,7 @@ std::string table_html(const Table& table) {
                                 cell_html(row.cells[i], table.columns[i].kind));
         text += "</tr>";
     }
-    return text + "</table>";
+    return text + "</table></div>";
 }
 
 std::string table_markdown(const Table& table) {

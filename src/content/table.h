@@ -59,7 +59,7 @@ std::string paragraph(std::string_view text, std::size_t indent, std::size_t col
 
 // Lines that begin with "* " for marked rows. Numbers are never broken, so that many columns may be wider.
 std::string table_text(const Table& table, std::size_t columns = page_columns);
-// A <table>, whose cells have the class of their kind, and marked rows the class "current".
+// A <table> that scrolls where it must, whose cells have the class of their kind, and marked rows the class "current".
 std::string table_html(const Table& table);
 // Marked rows have their first cell in bold.
 std::string table_markdown(const Table& table);

@@ -250,6 +250,64 @@ TEST(Slide, FoundRungsAreOnTheScaleOfTheOthers) {
     EXPECT_EQ(slide_of(report).points.size(), 2U);
 }
 
+// A ladder, and found rungs of the same scene: the last one is the scene as it is.
+Report with_found(double ladder_time, const std::vector<Rung>& rungs) {
+    SweepResult ladder = sweep_of("WAY", {{"rough", ladder_time, .25}, {"exact", 2 * ladder_time, .01}});
+    if (ladder_time == 0) ladder.clock = ClockKind::wall;  // it was never chosen
+    FoundResult found;
+    found.scene = ladder.scene;
+    found.timed = sweep_of("found rungs", rungs);
+    found.timed.sweep.kind = SweepKind::found;
+    found.timed.sweep.current = found.timed.sweep.reference;
+    found.timed.reference = {};
+    Report report{.sweeps = {ladder}, .found = {found}};
+    return report;
+}
+
+// Of fewer rungs, if there was no time for all: which were left out is said.
+TEST(Slide, HasTimesIfAnythingHas) {
+    Slide slide = slide_of(with_found(0, {{"8 slices", 5, .1}, {"not timed", 0, .2}, {"scene", 10, 0}}));
+    std::set<std::string> names;
+    for (const SlidePoint& point : slide.points) names.insert(point.name);
+    EXPECT_EQ(names, (std::set<std::string>{"8 slices", "the scene"}));
+    EXPECT_NE(slide.stamp.find("left out: 3 not timed"), std::string::npos) << slide.stamp;
+    expect_legible(slide);
+
+    Report smaller = with_found(8, {{"8 slices", 5, .1}, {"scene", 10, 0}});
+    EXPECT_EQ(slide_of(smaller).points.size(), 4U);
+    smaller.found[0].width = 600;  // and the times are of no such pictures
+    slide = slide_of(smaller);
+    EXPECT_EQ(slide.points.size(), 2U) << "times of other sizes don't compare";
+    EXPECT_NE(slide.stamp.find("left out: 1 found in smaller pictures"), std::string::npos) << slide.stamp;
+}
+
+TEST(Slide, WhatNobodyTakesIsLeftOut) {
+    Report report = with_found(8, {{"8 slices", 5, .1}, {"ruin", 2, .3}, {"scene", 10, 0}});
+    for (RungResult& rung : report.found[0].timed.rungs) rung.flip = rung.name == "ruin" ? .2 : .05;
+    report.found[0].timed.rungs.back().flip = 1;  // the scene's own always stays
+    const Slide slide = slide_of(report);
+    std::set<std::string> names;
+    for (const SlidePoint& point : slide.points) names.insert(point.name);
+    EXPECT_EQ(names, (std::set<std::string>{"8 slices", "the scene", "rough", "exact"}));
+    EXPECT_TRUE(slide.stamp.ends_with("left out: 1 plainly visible")) << slide.stamp;
+}
+
+// Names in words take several lines.
+TEST(Slide, LongNamesCanBeRead) {
+    std::vector<Rung> rungs;
+    for (const char* first : {"8", "12", "18", "24", "60"})
+        rungs.push_back({std::string(first) + " slices, Sphere culled, nearest, room as its mean and more",
+                         5. + static_cast<double>(rungs.size()), .1 / static_cast<double>(1 + rungs.size())});
+    rungs.push_back({"scene", 20, 0});
+    Report report = with_found(0, rungs);
+    const Slide slide = slide_of(report);
+    EXPECT_GE(slide.columns.size(), 3U);
+    expect_legible(slide);
+    const std::vector<std::string> texts = texts_of(slide);
+    EXPECT_GT(std::count_if(texts.begin(), texts.end(), [](const std::string& t) { return t.starts_with("room as"); }),
+              1);
+}
+
 // The names of sweeps are added only where they are needed.
 TEST(Slide, NamesTellRungsApart) {
     const Slide slide = slide_with({sweep_of("WAY", {{"exact", 10, .5}, {"good", 11, .4}}),

@@ -25,7 +25,7 @@ constexpr std::array promising{
     ChangeKind::fewer_rounds,    ChangeKind::smaller_noise, ChangeKind::fewer_texels, ChangeKind::less_filtered,
     ChangeKind::expression_mean, ChangeKind::lookup_mean,   ChangeKind::per_frame,    ChangeKind::per_vertex,
     ChangeKind::lookup_coarser,  ChangeKind::without_term,  ChangeKind::polynomial,   ChangeKind::half_precision};
-constexpr std::size_t most_held_out = 16, most_kept = 32, few_finalists = 4;
+constexpr std::size_t most_held_out = 16, most_kept = 32;
 
 }  // namespace
 

@@ -22,6 +22,8 @@ namespace snell::accuracy {
 inline constexpr double singles_end = .42, combinations_end = .52, held_out_end = .62, times_end = .86,
                         unused_end = .94;
 
+inline constexpr std::size_t few_finalists = 4;  // that are timed, if possible, whatever else there is no time for
+
 // A rung that is drawn, a place in each step.
 struct Attempt {
     Trial trial;

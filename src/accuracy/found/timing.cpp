@@ -25,8 +25,8 @@ void Search::Impl::begin_times() {
     begin_rounds(result.timed, cheaper, times_end, result.timed_size);
 }
 
-// How many rungs can be timed in as many rounds as a front needs: in smaller pictures if frames are slow, and fewer
-// if that does not suffice.
+// How many rungs can be timed in as many rounds as a front needs: fewer if frames are slow, and in smaller pictures
+// if a few are too many.
 std::size_t Search::Impl::fitting(std::size_t most, double part, std::array<int, 2>& size) {
     size = {settings.width, settings.height};
     std::size_t n = most;
@@ -40,11 +40,12 @@ std::size_t Search::Impl::fitting(std::size_t most, double part, std::array<int,
     while (options.times && !stopped()) {
         trials->scene().resize(size[0], size[1]);
         frame = trials->scene().warm_up(trials->variant(), ClockKind::wall).value_or(1);
-        if (seconds(most) <= left(part) || size[0] / 2 < result.search_width) break;
+        n = most;
+        while (n > few_finalists && seconds(n) > left(part)) --n;
+        if (seconds(n) <= left(part) || size[0] / 2 < result.search_width) break;
         size = {size[0] / 2, size[1] / 2};
     }
     small();
-    while (options.times && n > 3 && seconds(n) > left(part)) --n;
     return n;
 }
 
@@ -80,12 +81,13 @@ void Search::Impl::start_rounds(SweepResult& sweep, const std::vector<std::size_
     rounds.emplace(std::move(entrants),
                    RoundOptions{.clock = clock,
                                 .base = sweep.sweep.current,
+                                .kept = sweep.sweep.current,
                                 .rounds = options.rounds,
                                 .at_least = options.at_least,
                                 .seed = options.places.seed,
                                 .seconds_left = [this, part] { return left(part); },
                                 .over = [this, part] { return over(part); },
-                                .stopped = [this, part] { return over(part); },
+                                .stopped = [this] { return over(1); },
                                 .report = [this](std::string_view what, double done) { say(what, done); }});
 }
 

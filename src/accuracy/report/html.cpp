@@ -145,6 +145,21 @@ std::string section(const SweepResult& sweep) {
     return out + pictures(sweep) + "</section>\n";
 }
 
+// What there was no time for, as a line that can be opened.
+std::string unmeasured_html(const Report& report) {
+    std::string rows;
+    std::size_t count = 0;
+    for (const SweepResult& sweep : report.sweeps)
+        if (unmeasured(sweep)) {
+            rows += fmt::format("<li>{}: {} {}</li>", content::escaped(sweep.scene), content::escaped(sweep.sweep.name),
+                                content::escaped(in_words(sweep)));
+            ++count;
+        }
+    if (rows.empty()) return {};
+    return fmt::format("<section><details><summary>{} not measured</summary><ul>{}</ul></details></section>\n",
+                       count == 1 ? "1 ladder or knob was" : fmt::format("{} ladders or knobs were", count), rows);
+}
+
 }  // namespace
 
 std::string html_text(const Report& report, std::string_view slide) {
@@ -170,8 +185,14 @@ std::string html_text(const Report& report, std::string_view slide) {
         "one ladder's costs hold together at 95 %.</p>\n",
         errors_are);
     for (const Together& together : report.together) out += together_section(together);
-    for (const SweepResult& sweep : report.sweeps) out += section(sweep);
+    const auto sections = [&](bool knobs) {
+        for (const SweepResult& sweep : report.sweeps)
+            if ((sweep.sweep.kind == SweepKind::knob) == knobs && !unmeasured(sweep)) out += section(sweep);
+    };
+    sections(false);
     for (const FoundResult& found : report.found) out += found_html(found);
+    sections(true);
+    out += unmeasured_html(report);
     for (const std::string& problem : report.problems)
         out += fmt::format("<p class=\"facts\">{}</p>", content::escaped(problem));
     return out + "</body></html>\n";

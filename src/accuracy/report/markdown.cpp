@@ -13,6 +13,8 @@ namespace snell::accuracy {
 namespace {
 
 std::string part(const SweepResult& sweep, const std::string& plot) {
+    if (unmeasured(sweep))
+        return fmt::format("\n{}: {}: not measured\n", content::escaped(sweep.scene), sweep.sweep.name);
     const bool timed = sweep.rungs[sweep.sweep.current].rounds > 0;
     std::string text =
         fmt::format("\n## {}: {}\n\n{}\n", content::escaped(sweep.scene), sweep.sweep.name, in_words(sweep));

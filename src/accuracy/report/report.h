@@ -52,6 +52,8 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung);
 
 // All remarks on the rung: its standing, and what a reader must know before trusting its error.
 std::string notes_text(const SweepResult& sweep, const RungResult& rung);
+// Nothing of the sweep was drawn: there was no time for it.
+bool unmeasured(const SweepResult& sweep);
 // Which pixels its errors are of.
 std::string area_text(const SweepResult& sweep);
 // "1 pixel", "2 pixels".

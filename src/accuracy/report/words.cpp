@@ -100,6 +100,8 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
     return "";
 }
 
+bool unmeasured(const SweepResult& sweep) { return ranges::none_of(sweep.rungs, &RungResult::drawn); }
+
 std::string area_text(const SweepResult& sweep) {
     return sweep.own_pixels > 0 ? fmt::format("over the {} that its draws cover", pixels_text(sweep.own_pixels))
                                 : "over the whole picture";
@@ -118,7 +120,6 @@ std::string psnr_text(double psnr) {
 
 std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
     std::vector<std::string> notes;
-    if (!rung.drawn) return "not drawn";
     if (&rung == last_of(sweep)) notes.emplace_back("reference");
     if (std::string standing = standing_text(sweep, rung); !standing.empty()) notes.push_back(std::move(standing));
     if (rung.below_residual && sweep.metric == Metric::rmse) notes.emplace_back("not told apart from the reference");
@@ -165,6 +166,27 @@ std::string those(const SweepResult& sweep, const Which& which, std::size_t& cou
     return list_text(names);
 }
 
+// "'a' and 'b'", or how many there are of more than three.
+std::string some_text(const std::vector<std::string>& names) {
+    return names.size() > 3 ? fmt::format("{} rungs", names.size()) : list_text(names);
+}
+
+// What there was no time for.
+std::string left_out_sentence(const SweepResult& sweep) {
+    std::vector<std::string> undrawn, untimed;
+    const bool timed = base_of(sweep).rounds > 0;
+    for (const RungResult& rung : sweep.rungs)
+        if (!rung.drawn)
+            undrawn.push_back("'" + rung.name + "'");
+        else if (timed && rung.rounds == 0)
+            untimed.push_back("'" + rung.name + "'");
+    std::string text;
+    if (!undrawn.empty())
+        text += fmt::format(" Left out: {}{}.", some_text(undrawn), sweep.late ? "; more --budget draws all" : "");
+    if (!untimed.empty()) text += fmt::format(" There was no time to time {}.", some_text(untimed));
+    return text;
+}
+
 std::string hidden_sentences(const SweepResult& sweep) {
     constexpr std::string_view last = "with the other ladders at their last rungs", scene = "where the scene stands";
     std::string text;
@@ -190,7 +212,8 @@ std::vector<const SweepResult*> plots_of(const Report& report) {
 }
 
 std::string in_words(const SweepResult& sweep) {
-    if (!sweep.cannot_say.empty()) return fmt::format("Can't say: {}.", sweep.cannot_say);
+    if (!sweep.cannot_say.empty())
+        return fmt::format("Can't say: {}.{}", sweep.cannot_say, unmeasured(sweep) ? "" : left_out_sentence(sweep));
     std::string text = cost_sentences(sweep);
     std::size_t count = 0;
     const auto reference = last_of(sweep);
@@ -212,7 +235,7 @@ std::string in_words(const SweepResult& sweep) {
             sweep, [](const RungResult& rung) { return rung.whole.nonfinite > 0; }, count);
         count > 0)
         text += fmt::format(" Some pixels of {} are NaN or infinite.", odd);
-    if (sweep.late) text += " The time was up before every rung was drawn; more --budget draws all.";
+    text += left_out_sentence(sweep);
     text += hidden_sentences(sweep);
     return text.starts_with(' ') ? text.substr(1) : text;
 }
@@ -247,14 +270,14 @@ constexpr content::TableColumn<RungRow> rung_columns[]{
      [](const RungRow& r) { return r.timed() ? fmt::format("{:.3g}", r.rung->milliseconds) : ""; }},
     {"relative to current", CellKind::number,
      [](const RungRow& r) { return r.timed() ? ratio_text(r.rung->ratio) : ""; }},
-    {"RMSE", CellKind::number, [](const RungRow& r) { return r.number("{:.2g}", r.rung->own.light.rmse); }},
-    {"PSNR, dB", CellKind::number, [](const RungRow& r) { return r.decibels(r.rung->own.light.psnr); }},
-    {"PSNR of display", CellKind::number, [](const RungRow& r) { return r.decibels(r.rung->own.display.psnr); }},
-    {"PSNR of all", CellKind::number, [](const RungRow& r) { return r.decibels(r.rung->whole.light.psnr); }},
-    {"RMSE alone", CellKind::number, [](const RungRow& r) { return r.number("{:.2g}", r.rung->alone.rmse); }},
-    {"FLIP", CellKind::number, [](const RungRow& r) { return r.number("{:.3f}", r.rung->flip); }},
+    {"RMSE", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->own.light.rmse); }},
+    {"PSNR, dB", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.light.psnr); }},
+    {"PSNR of display", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.display.psnr); }},
+    {"PSNR of all", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->whole.light.psnr); }},
+    {"RMSE alone", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->alone.rmse); }},
+    {"FLIP", CellKind::number, [](const RungRow& r) { return known_text("{:.3f}", r.rung->flip); }},
     {"degrees", CellKind::number,
-     [](const RungRow& r) { return r.rung->degrees ? r.number("{:.3g}", r.rung->degrees->mean) : ""; }},
+     [](const RungRow& r) { return r.rung->degrees ? known_text("{:.3g}", r.rung->degrees->mean) : ""; }},
     {"remarks", CellKind::words, [](const RungRow& r) { return notes_text(*r.sweep, *r.rung); }},
 };
 
@@ -262,13 +285,16 @@ constexpr content::TableColumn<RungRow> rung_columns[]{
 
 content::Table rung_table(const SweepResult& sweep) {
     std::vector<RungRow> rows;
-    for (const RungResult& rung : sweep.rungs) rows.push_back({&sweep, &rung});
+    for (const RungResult& rung : sweep.rungs)
+        if (rung.drawn) rows.push_back({&sweep, &rung});
     content::Table table = content::table_of(rung_columns, rows);
-    table.rows[sweep.sweep.current].marked = true;
+    for (std::size_t i = 0; i < rows.size(); ++i) table.rows[i].marked = rows[i].rung == &base_of(sweep);
     return std::move(table.without_empty());
 }
 
 std::string table_text(const SweepResult& sweep) {
+    if (unmeasured(sweep))
+        return fmt::format("\n{}: not measured\n{}", sweep.sweep.name, content::paragraph(in_words(sweep), 2));
     std::string text =
         "\n" +
         content::paragraph(fmt::format("{}, {}; {}", sweep.sweep.name, area_text(sweep), sweep.reference_note), 0);

@@ -156,7 +156,7 @@ public:
         return References(reference_seconds() / static_cast<double>(options_.scenes.size()));
     }
 
-    // Finds rungs, before anything else is measured.
+    // Finds rungs, after the ladders and before the knobs.
     void find(Subject& subject, const gl::Caps& caps, const BenchSettings& settings, Report& report) {
         References unused = references();
         const std::size_t share = Work::found_rungs(subject.rungs(), !subject.plan.scene.ladders.empty());
@@ -174,9 +174,10 @@ public:
         finish(share);
     }
 
-    void measure_all(Bench& bench, const Subject& subject, References& references, Report& report) {
+    void measure_all(Bench& bench, const Subject& subject, bool knobs, References& references, Report& report) {
         for (const Sweep& sweep : subject.sweeps) {
             if (interrupted) return;
+            if ((sweep.kind == SweepKind::knob) != knobs) continue;
             SweepResult result = measure(bench, sweep, next(sweep.rungs.size(), references));
             result.scene = subject.path;
             if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
@@ -191,8 +192,10 @@ public:
                 References& references, Report& report) {
         std::optional<Sought> sought;
         if (seeks(options_)) sought.emplace(Sought{subject.original(), report.found.back(), caps, settings});
-        const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs,
-                                      next(Work::advice_rungs, references), sought ? &*sought : nullptr, report);
+        MeasureOptions measuring = next(Work::advice_rungs, references);
+        measuring.spare = 0;  // many sweeps share it
+        const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs, measuring,
+                                      sought ? &*sought : nullptr, report);
         finish(Work::advice_rungs);
         return told;
     }
@@ -206,6 +209,7 @@ private:
         MeasureOptions measuring;
         measuring.rounds = options_.rounds;
         measuring.seconds = share;
+        measuring.spare = left - share;
         measuring.references = &references;
         measuring.times = !options_.no_time;
         measuring.stop = [this] {
@@ -292,9 +296,10 @@ Exit accuracy(const AccuracyOptions& options) {
             errors = true;
             continue;
         }
-        if (seeks(options)) run.find(*subject, caps, settings, report);
         References references = run.references();
-        run.measure_all(bench, *subject, references, report);
+        run.measure_all(bench, *subject, false, references, report);
+        if (seeks(options) && !interrupted) run.find(*subject, caps, settings, report);
+        run.measure_all(bench, *subject, true, references, report);
         if (asks_for_advice(options) && !interrupted)
             errors = !run.advise(bench, *subject, caps, settings, references, report) || errors;
         report.where.query_over_wall = bench.query_over_wall();

@@ -17,6 +17,7 @@ constexpr double text_row = line_height * small_text, strip = 40, radius = 12;
 constexpr double numbers_width = 150;           // of the errors at the axis
 constexpr std::size_t most_front_labels = 4;    // besides those of the columns
 constexpr double label_width = 420, near = 30;  // in pixels
+constexpr std::size_t most_label_lines = 2;
 
 bool has_bar(const SlidePoint& p) { return p.low > 0 && std::isfinite(p.high); }
 // It has a place on the axis of errors.
@@ -42,8 +43,9 @@ public:
             if (p.column == no_column) mark(p);
         for (const SlidePoint& p : slide_.points)
             if (p.column != no_column) mark(p);
-        const SlideBox stamp = page_.text_box(0, 0, slide_.stamp);
-        page_.text(page_.text_box(frame_.x1 - stamp.width(), title_top_, slide_.stamp), slide_.stamp, ink::text);
+        const std::string words = page_.cut(slide_.stamp, frame_.width() - error_title_.size() * small_text * .6);
+        const SlideBox stamp = page_.text_box(0, 0, words);
+        page_.text(page_.text_box(frame_.x1 - stamp.width(), title_top_, words), words, ink::text);
         labels();
     }
 
@@ -115,7 +117,7 @@ private:
         if (has_infinite()) number_at(frame_.y0 + strip / 2, "∞");
         page_.line(frame_.x0, frame_.y0, frame_.x0, frame_.y1, 4, ink::axis);
         page_.line(frame_.x0 - 2, frame_.y1, frame_.x1, frame_.y1, 4, ink::axis);
-        const std::string error = "error of light (RMSE)", time = "time of a frame, ms (" + slide_.clock + ")";
+        const std::string error(error_title_), time = "time of a frame, ms (" + slide_.clock + ")";
         page_.text(page_.text_box(frame_.x0 - numbers_width, title_top_, error), error, ink::text);
         const SlideBox size = page_.text_box(0, 0, time);
         page_.text(page_.text_box(frame_.x1 - size.width(), frame_.y1 + text_row + 6, time), time, ink::text);
@@ -171,8 +173,14 @@ private:
     bool free(const SlideBox& box) const {
         return frame_.holds(box) && ranges::none_of(taken_, [&](const SlideBox& other) { return box.meets(other); });
     }
-    void place(const SlideBox& box, const std::string& words, unsigned color = ink::text) {
-        page_.text(box, words, color);
+    // Lines of text, one below the other.
+    void place(const SlideBox& box, const std::vector<std::string>& lines, unsigned color = ink::text,
+               double size = small_text) {
+        double y = box.y0;
+        for (const std::string& line : lines) {
+            page_.text(page_.text_box(box.x0, y, line, size), line, color, size);
+            y += line_height * size;
+        }
         texts_.push_back({box.x0 - 16, box.y0, box.x1 + 16, box.y1});
         taken_.push_back(texts_.back());
     }
@@ -195,26 +203,31 @@ private:
     }
 
     void label(const SlidePoint& p) {
-        const std::string words = page_.cut(p.name, label_width);
-        const SlideBox size = page_.text_box(0, 0, words);
-        const double w = size.width(), x = x_of(p), y = y_of(p), side = radius + 10;
+        std::vector<std::string> lines{page_.cut(p.name, label_width)};
+        const double text = lines[0].ends_with("…") ? name_text : small_text;
+        if (text < small_text) lines = page_.lines(p.name, label_width, most_label_lines, text);
+        double w = 0;
+        for (const std::string& line : lines) w = std::max(w, page_.text_box(0, 0, line, text).width());
+        const double h = static_cast<double>(lines.size()) * line_height * text;
+        const double x = x_of(p), y = y_of(p), side = radius + 10;
         const double right = has_bar(p) ? std::max(side, x_.at(p.high) - x + 14) : side;
         const double left = has_bar(p) ? std::max(side, x - x_.at(p.low) + 14) : side;
         for (double far : {0., 12., 28., 46., 66., 90., 120.})
-            for (const auto& [dx, dy] : {std::pair{right, -text_row / 2},
-                                         {-left - w, -text_row / 2},
-                                         {-w / 2, -side - text_row},
+            for (const auto& [dx, dy] : {std::pair{right, -h / 2},
+                                         {-left - w, -h / 2},
+                                         {-w / 2, -side - h},
                                          {-w / 2, side},
-                                         {side, -text_row - 4},
+                                         {side, -h - 4},
                                          {side, 4.},
-                                         {-side - w, -text_row - 4},
+                                         {-side - w, -h - 4},
                                          {-side - w, 4.}}) {
-                const double top = y + dy + (dy < -text_row / 2 ? -far : dy > -text_row / 2 ? far : 0);
+                const double top = y + dy + (dy < -h / 2 ? -far : dy > -h / 2 ? far : 0);
                 // Above and below, it may be shifted to stay inside the frame.
                 const double inside = std::clamp(x + dx, frame_.x0 + 6, std::max(frame_.x1 - w - 6, frame_.x0 + 6));
-                const SlideBox box = page_.text_box(dx == -w / 2 ? inside : x + dx, top, words);
+                const double from = dx == -w / 2 ? inside : x + dx;
+                const SlideBox box{from, top, from + w, top + h};
                 if (free(box) && (far <= near || lead(p, box))) {
-                    place(box, words);
+                    place(box, lines, ink::text, text);
                     return;
                 }
             }
@@ -240,11 +253,12 @@ private:
                 const double x = frame_.x0 + 12 + part * (frame_.width() - 24 - size.width());
                 const SlideBox box = page_.text_box(x, top, words);
                 if (!free(box)) continue;
-                place(box, words, ink::weak);
+                place(box, {words}, ink::weak);
                 return;
             }
     }
 
+    static constexpr std::string_view error_title_ = "error of light (RMSE)";
     SlidePage& page_;
     const Slide& slide_;
     double title_top_;

@@ -14,8 +14,28 @@ namespace snell::accuracy {
 namespace {
 
 constexpr double margin = 40, crop_width = 288, crop_height = 192, gap = 22, row = line_height * small_text;
-constexpr double brackets_top = 546, names_top = 588, crops_top = 630, maps_top = crops_top + crop_height + 8,
-                 numbers_top = maps_top + crop_height + 6;
+constexpr double crops_top = 630, maps_top = crops_top + crop_height + 8, numbers_top = maps_top + crop_height + 6;
+constexpr double mark_radius = 11, name_row = line_height * name_text;
+constexpr std::size_t most_lines = 3;  // of a column's name
+
+// On one line if it fits, otherwise on some of smaller text.
+std::vector<std::string> name_lines(const SlidePage& page, const SlideColumn& column, double& size) {
+    const double most = crop_width - 3 * mark_radius;
+    size = small_text;
+    std::vector<std::string> lines{page.cut(column.name, most)};
+    if (!lines[0].ends_with("…")) return lines;
+    size = name_text;
+    return page.lines(column.name, most, most_lines, size);
+}
+
+// Names stand on the pictures, and take as much height as the longest.
+double names_top(const SlidePage& page, const Slide& slide) {
+    std::size_t most = 1;
+    double size = 0;
+    for (const SlideColumn& column : slide.columns) most = std::max(most, name_lines(page, column, size).size());
+    return crops_top - 42 - static_cast<double>(most - 1) * name_row;
+}
+double brackets_top(const SlidePage& page, const Slide& slide) { return names_top(page, slide) - 42; }
 
 double column_left(const Slide& slide, std::size_t column) {
     const auto count = static_cast<double>(slide.columns.size() + 1);  // and the reference
@@ -38,8 +58,9 @@ void bracket(SlidePage& page, const Slide& slide, bool SlideColumn::*member, con
     const double x0 = column_left(slide, first) + (shared(first) ? half : 0);
     const double x1 = column_left(slide, last) + crop_width - (shared(last) ? half : 0);
     const SlideBox size = page.text_box(0, 0, words);
-    const double x = (x0 + x1 - size.width()) / 2, y = brackets_top + row / 2;
-    page.text(page.text_box(x, brackets_top, words), words, ink::text);
+    const double top = brackets_top(page, slide);
+    const double x = (x0 + x1 - size.width()) / 2, y = top + row / 2;
+    page.text(page.text_box(x, top, words), words, ink::text);
     page.line(x0, y, x - 14, y, 4, ink::axis);
     page.line(x + size.width() + 14, y, x1, y, 4, ink::axis);
     page.line(x0, y - 2, x0, y + 14, 4, ink::axis);
@@ -61,11 +82,16 @@ std::string time_number(double milliseconds) {
 
 void column(SlidePage& page, const Slide& slide, std::size_t i) {
     const SlideColumn& column = slide.columns[i];
-    const double x = column_left(slide, i), radius = 11;
+    const double x = column_left(slide, i);
     const unsigned color = column_color(slide, i);
-    point_mark(page, x + radius + 1, names_top + row / 2, radius, column.own, 0, color);
-    const std::string name = page.cut(column.name, crop_width - 3 * radius);
-    page.text(page.text_box(x + 3 * radius, names_top, name), name, ink::text);
+    double name_size = 0;
+    const std::vector<std::string> name = name_lines(page, column, name_size);
+    double y = crops_top - 5 - static_cast<double>(name.size()) * line_height * name_size;
+    point_mark(page, x + mark_radius + 1, y + line_height * name_size / 2, mark_radius, column.own, 0, color);
+    for (const std::string& line : name) {
+        page.text(page.text_box(x + 3 * mark_radius, y, line, name_size), line, ink::text, name_size);
+        y += line_height * name_size;
+    }
     framed(page, column.picture, x, crops_top, color, 6);
     framed(page, column.map, x, maps_top, color, 6);
     // What differs from the scene's own rung stands out.
@@ -100,7 +126,7 @@ void scale(SlidePage& page, const Slide& slide, double x) {
 
 void reference_column(SlidePage& page, const Slide& slide) {
     const double x = column_left(slide, slide.columns.size());
-    page.text(page.text_box(x, names_top, "reference"), "reference", ink::text);
+    page.text(page.text_box(x, crops_top - 5 - row, "reference"), "reference", ink::text);
     framed(page, slide.reference, x, crops_top, ink::axis, 6);
     scale(page, slide, x);
 }
@@ -165,6 +191,22 @@ std::string SlidePage::cut(std::string_view words, double most, double size, boo
     return kept + "…";
 }
 
+std::vector<std::string> SlidePage::lines(std::string_view words, double most, std::size_t count, double size) const {
+    std::vector<std::string> result;
+    std::string rest = utf8::printable(words);
+    while (result.size() + 1 < count && width_(rest, size, false) > most) {
+        std::size_t end = rest.npos;
+        for (std::size_t at = 0;
+             (at = rest.find(' ', at)) != rest.npos && width_(rest.substr(0, at), size, false) <= most; ++at)
+            end = at;
+        if (end == rest.npos) break;  // a word that is wider
+        result.push_back(rest.substr(0, end));
+        rest.erase(0, end + 1);
+    }
+    result.push_back(cut(rest, most, size));
+    return result;
+}
+
 unsigned column_color(const Slide& slide, std::size_t column) {
     if (slide.columns[column].own) return ink::own;
     std::size_t others = 0;
@@ -185,7 +227,7 @@ std::vector<SlideShape> slide_shapes(const Slide& slide, const TextWidth& width)
     SlidePage page(width);
     const double plot_right = slide.whole.width > 0 ? 1466 : slide_width - margin;
     heading(page, slide);
-    plot_points(page, slide, {margin, 78, plot_right, brackets_top - 10});
+    plot_points(page, slide, {margin, 78, plot_right, brackets_top(page, slide) - 10});
     whole(page, slide, {plot_right + 34, 84, slide_width - margin, 84 + 380});
     if (!slide.columns.empty()) {
         bracket(page, slide, &SlideColumn::equal_time, "equal time");

@@ -37,7 +37,7 @@ struct SlideShape {
 using TextWidth = std::function<double(const std::string& text, double size, bool bold)>;
 
 // The least size of text: legible from the last row.
-inline constexpr double small_text = 32, large_text = 44;
+inline constexpr double small_text = 32, large_text = 44, name_text = 28;
 
 namespace ink {
 inline constexpr unsigned text = 0x1a1a1a, weak = 0x555555, axis = 0x1a1a1a, grid = 0xdcdcdc, band = 0xd9d9d9,
@@ -61,6 +61,8 @@ public:
     SlideBox text_box(double x, double y, const std::string& words, double size = small_text, bool bold = false) const;
     // The text as it can be shown, cut with "…" if it is wider.
     std::string cut(std::string_view words, double most, double size = small_text, bool bold = false) const;
+    // The same on several lines, broken at blanks; the last one is cut.
+    std::vector<std::string> lines(std::string_view words, double most, std::size_t count, double size) const;
 
     std::vector<SlideShape> shapes;
 

@@ -26,7 +26,7 @@ bool has_errors(const SweepResult& sweep) {
            });
 }
 
-bool timed(const SweepResult& sweep) {
+bool has_times(const SweepResult& sweep) {
     return ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
 }
 
@@ -36,7 +36,7 @@ const SweepResult* main_sweep(const Report& report) {
         const RungResult& own = sweep.rungs[sweep.sweep.current];
         const double error = own.drawn && std::isfinite(own.whole.light.rmse) ? own.whole.light.rmse : -1;
         const int kind = sweep.sweep.kind == SweepKind::lattice ? 2 : sweep.sweep.kind == SweepKind::ladder ? 1 : 0;
-        return std::tuple(timed(sweep), kind, error);
+        return std::tuple(has_times(sweep), kind, error);
     };
     const SweepResult* best = nullptr;
     for (const SweepResult& sweep : report.sweeps)
@@ -44,9 +44,12 @@ const SweepResult* main_sweep(const Report& report) {
     return best;
 }
 
+bool same_clock(const SweepResult& a, const SweepResult& b) {
+    return a.clock == b.clock || !has_times(a) || !has_times(b);
+}
 // Their errors are on one scale, and so are their times.
 bool comparable(const SweepResult& a, const SweepResult& b) {
-    return a.scene == b.scene && a.reference == b.reference && (a.clock == b.clock || !timed(a) || !timed(b));
+    return a.scene == b.scene && a.reference == b.reference && same_clock(a, b);
 }
 
 // What is on the slide.
@@ -76,7 +79,11 @@ const Picture* reference_of(const SweepResult& sweep) {
 const FoundResult* found_for(const Report& report, const SweepResult* main) {
     for (const FoundResult& found : report.found) {
         const SweepResult& timed = found.timed;
-        if (timed.rungs.size() < 2 || (main && (main->scene != found.scene || main->clock != timed.clock))) continue;
+        const auto measured = ranges::count_if(timed.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+        // Frames of other sizes take other times.
+        const bool whole = found.timed_size[0] == found.width && found.timed_size[1] == found.height;
+        if (timed.rungs.size() < 2 || (main && (main->scene != found.scene || !same_clock(*main, timed)))) continue;
+        if (main && has_times(*main) && (measured < 2 || !whole)) continue;
         const Picture* reference = main ? reference_of(*main) : reference_of(timed);
         const bool fits = reference && ranges::all_of(timed.rungs, [&](const RungResult& rung) {
                               return same_size(rung.picture, *reference);
@@ -145,7 +152,9 @@ std::vector<SlideRung> rungs_of(const Shown& shown) {
     for (const SweepResult* sweep : shown.sweeps)
         for (std::size_t i = 0; i < sweep->rungs.size(); ++i) {
             const RungResult& rung = sweep->rungs[i];
-            if (!rung.drawn || std::isnan(rung.whole.light.rmse) || already_there(result, *sweep, i)) continue;
+            if (!rung.drawn || std::isnan(rung.whole.light.rmse) || plainly_visible(*sweep, i) ||
+                already_there(result, *sweep, i))
+                continue;
             SlideRung entry{sweep, i, {}};
             entry.point.name = name_of(shown, *sweep, i);
             entry.point.error = std::max(shown.error(*sweep, i), shown.floor);
@@ -223,6 +232,28 @@ void add_columns(Slide& slide, std::vector<SlideRung>& rungs, const Picture& ref
     add_pictures(slide, pictures, reference);
 }
 
+// Which rungs are not among the points: those that were not timed, and those that nobody would take.
+std::string left_out(const Report& report, const Shown& shown) {
+    std::vector<std::string> untimed;
+    std::size_t visible = 0, elsewhere = 0;
+    for (const FoundResult& found : report.found)
+        for (std::size_t i = 0; i < found.timed.rungs.size() && &found != shown.found; ++i)
+            elsewhere += i != found.timed.sweep.current && found.timed.rungs[i].rounds > 0 ? 1 : 0;
+    for (const SweepResult* sweep : shown.sweeps)
+        for (std::size_t i = 0; i < sweep->rungs.size(); ++i)
+            if (plainly_visible(*sweep, i))
+                ++visible;
+            else if (sweep->rungs[i].rounds == 0)
+                untimed.push_back(sweep->rungs[i].name);
+    std::string text;
+    const auto add = [&](const std::string& what) { text += (text.empty() ? "left out: " : ", ") + what; };
+    if (!untimed.empty() && untimed.size() <= 2) add(fmt::format("{} (not timed)", fmt::join(untimed, ", ")));
+    if (untimed.size() > 2) add(fmt::format("{} not timed", untimed.size()));
+    if (visible > 0) add(fmt::format("{} plainly visible", visible));
+    if (elsewhere > 0) add(fmt::format("{} found in smaller pictures", elsewhere));
+    return text;
+}
+
 std::string why_no_front(const Slide& slide, const SweepResult& main) {
     if (slide.points.empty()) return "no times were measured";
     if (ranges::any_of(slide.points, &SlidePoint::front)) return {};
@@ -245,6 +276,8 @@ Slide slide_of(const Report& report) {
     slide.note = fmt::format("{} × {}, {}", report.where.width, report.where.height, report.where.renderer);
     slide.clock = name(main.clock);
     slide.stamp = why_no_front(slide, main);
+    if (const std::string without = left_out(report, shown); !slide.points.empty() && !without.empty())
+        slide.stamp += (slide.stamp.empty() ? "" : "; ") + without;
     return slide;
 }
 

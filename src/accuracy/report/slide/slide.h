@@ -48,7 +48,7 @@ struct SlideColumn {
 struct Slide {
     std::string title, note;
     std::string clock;  // what the times are of
-    std::string stamp;  // why there is no front; empty if there is one
+    std::string stamp;  // why there is no front, and what is left out; empty if there is one of all
     std::vector<SlidePoint> points;
     double floor = 0;  // errors below it can't be told apart; 0 if it is unknown
     std::vector<SlideColumn> columns;
