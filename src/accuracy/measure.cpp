@@ -114,9 +114,11 @@ private:
         if (options_.report) options_.report({result_.sweep.name, doing, done, seconds});
     }
 
-    // What the current rung is compared with if there is time for nothing else: the last one, or the first.
+    // What the current rung is compared with if there is time for nothing else: the last one or the first; of a knob,
+    // whose last setting may be too expensive, the next one. May be none of the rungs.
     std::size_t other() const {
         const Sweep& sweep = result_.sweep;
+        if (sweep.kind == SweepKind::knob && sweep.current + 1 < sweep.reference) return sweep.current + 1;
         return sweep.reference != sweep.current ? sweep.reference : sweep.current == 0 ? 1 : 0;
     }
     const Variant& variant(std::size_t rung) const { return result_.sweep.rungs[rung].variant; }
@@ -178,7 +180,7 @@ private:
         if (goal.last)
             draw_rung(at, goal);  // the reference and the scene's own rung first: without them the others say little
         if (result_.sweep.current != at) draw_rung(result_.sweep.current, goal);
-        if (!knob && other() != at && other() < result_.rungs.size()) draw_rung(other(), goal);
+        if (other() != at && other() < result_.rungs.size()) draw_rung(other(), goal);
         for (std::size_t i = 0; i < result_.rungs.size() && !over(); ++i)
             if (!result_.rungs[i].drawn) draw_rung(i, goal);
         widen(goal);
@@ -232,7 +234,6 @@ private:
 
     void rounds() {
         const std::size_t base = result_.sweep.current;
-        const bool ladder = result_.sweep.kind == SweepKind::ladder;  // the last setting of a knob may be too expensive
         result_.clock = bench_.choose_clock(variant(base));
         std::vector<Entrant> entrants;
         for (std::size_t i = 0; i < result_.rungs.size(); ++i)
@@ -243,7 +244,7 @@ private:
         Rounds rounds(std::move(entrants),
                       {.clock = result_.clock,
                        .base = base,
-                       .kept = ladder && other() < result_.rungs.size() ? other() : base,
+                       .kept = other() < result_.rungs.size() ? other() : base,
                        .rounds = options_.rounds,
                        .at_least = options_.at_least,
                        .seed = options_.seed,

@@ -34,7 +34,7 @@ std::string price_sentence(const SweepResult& sweep) {
     if (!last_of(sweep)) return {};
     const RungResult &base = base_of(sweep), &reference = *last_of(sweep);
     if (&base == &reference) return "The scene already uses the reference.";
-    if (reference.rounds == 0) return fmt::format("'{}' was not timed.", reference.name);
+    if (reference.rounds == 0) return {};
     if (equal_cost(reference.ratio))
         return fmt::format("The cost of '{}' is not measurably different: {} times that of '{}'.", reference.name,
                            ratio_text(reference.ratio), base.name);
