@@ -42,7 +42,7 @@ void main() {
         "Ladder WORK <one> half same waste quarter full\nVertex full.vert\nFragment work.frag\n"
         "Program Work uStep <0. .001 1.>\nQuadXY 0 1\n";
 
-    SweepResult measure_ladder(std::uint64_t seed) {
+    SweepResult measure_ladder(std::uint64_t seed, double seconds = 20, double spare = 0) {
         Diagnostics problems;
         const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {"WORK"}, From::reference, problems);
         EXPECT_EQ(sweeps.size(), 1U);
@@ -50,12 +50,28 @@ void main() {
         References references(.5);
         options.references = &references;
         options.rounds = 15;
-        options.seconds = 20;  // more than it takes, even where other programs have most of the machine
+        options.seconds = seconds;  // 20: more than it takes, even where other programs have most of the machine
+        options.spare = spare;
         options.at_least = .5;
         options.seed = seed;
         return measure(*bench, sweeps[0], options);
     }
 };
+
+// Fewer rungs, not fewer rounds: the scene's own rung and the last one are drawn and timed, the others left out.
+TEST_F(Measure, ALadderWithoutTimeHasTwoRungs) {
+    write_ladder();
+    bench_of_text(scene, 64, 64);
+    const SweepResult result = measure_ladder(1, 1e-3, 1e6);
+    for (const RungResult& rung : result.rungs) {
+        const bool known = rung.name == "one" || rung.name == "full";
+        EXPECT_EQ(rung.drawn, known) << rung.name;
+        EXPECT_EQ(rung.rounds >= rounds_for(2), known) << rung.name << ": " << rung.rounds;
+    }
+    EXPECT_FALSE(result.few_rounds);
+    const SweepResult none = measure_ladder(1, 0, 0);
+    for (const RungResult& rung : none.rungs) EXPECT_FALSE(rung.drawn) << rung.name;
+}
 
 TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRightThreeTimes) {
     write_ladder();
