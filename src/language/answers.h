@@ -85,45 +85,6 @@ struct Color {
     std::array<double, 4> rgba;  // within 0 and 1
 };
 
-struct Fold {
-    enum class Kind : std::uint8_t { region, comment };
-    Kind kind = Kind::region;
-    Span span;  // from the first line, which stays, to the last one
-};
-
-struct SemanticToken {
-    enum class Type : std::uint8_t {
-        comment,
-        keyword,  // commands, words of GLSL
-        number,
-        string,
-        operator_,
-        type,
-        function,
-        variable,
-        parameter,
-        property,     // uniforms of a scene; members
-        enum_member,  // choices, rungs
-        macro,        // directives, macros, ladders
-        name,         // programs
-    };
-    enum Modifier : std::uint8_t { declaration = 1, readonly = 2, built_in = 4 };
-    Span span;  // within one line
-    Type type = Type::variable;
-    std::uint8_t modifiers = 0;
-};
-
-struct CodeLens {
-    enum class Kind : std::uint8_t {
-        open,    // the scene, in snell's window
-        render,  // the scene, as a picture
-        cost     // of the statement at `span`: snell explain
-    };
-    Kind kind = Kind::open;
-    Span span;         // the statement
-    std::string name;  // of the program, or of the draw's command
-};
-
 // Where a name can be renamed, or why not.
 struct Renaming {
     Span span;            // of the name under the cursor; empty: there is none

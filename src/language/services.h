@@ -26,9 +26,5 @@ std::vector<Symbol> symbols(const Project& project, FileId file);
 std::vector<Color> colors(const Project& project, FileId file);
 // The edits that make the color at `span`, one of colors(), another one, in the author's style of numbers.
 std::vector<Edit> color_edits(const Project& project, const Span& span, const std::array<double, 4>& rgba);
-std::vector<Fold> folds(const Project& project, FileId file);
-// In the order of the text, without overlaps.
-std::vector<SemanticToken> semantic_tokens(const Project& project, FileId file);
-std::vector<CodeLens> code_lenses(const Project& project, FileId file);
 
 }  // namespace snell::language

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "src/server/commands.h"
-#include "src/server/encode.h"
-
 namespace snell::server {
 
 Encoding chosen_encoding(const Json& offered) {
@@ -14,8 +11,6 @@ Encoding chosen_encoding(const Json& offered) {
 }
 
 Json capabilities(Encoding encoding) {
-    Json commands = Json::array();
-    for (const std::string_view name : command_names) commands.push_back(name);
     return {{"positionEncoding", encoding == Encoding::utf8 ? "utf-8" : "utf-16"},
             {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", true}}}}},
             {"codeActionProvider", {{"codeActionKinds", Json::array({"quickfix"})}}},
@@ -28,12 +23,8 @@ Json capabilities(Encoding encoding) {
             {"renameProvider", {{"prepareProvider", true}}},
             {"documentSymbolProvider", true},
             {"colorProvider", true},
-            {"foldingRangeProvider", true},
-            {"semanticTokensProvider", {{"legend", token_legend()}, {"full", true}, {"range", true}}},
-            {"codeLensProvider", {{"resolveProvider", false}}},
             {"documentFormattingProvider", true},
-            {"documentRangeFormattingProvider", true},
-            {"executeCommandProvider", {{"commands", commands}}}};
+            {"documentRangeFormattingProvider", true}};
 }
 
 Json watched_files() {

@@ -7,7 +7,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/content/uri.h"
-#include "src/server/commands.h"
 
 namespace snell::server {
 
@@ -187,17 +186,6 @@ std::string Encoder::symbols(const std::vector<Symbol>& symbols) const {
     return out;
 }
 
-std::string Encoder::folds(const std::vector<Fold>& folds) const {
-    std::string out;
-    add_list(out, folds, [&](const Fold& fold) {
-        const Lines& text = lines(fold.span.file);
-        out += fmt::format(
-            R"({{"startLine":{},"endLine":{},"kind":"{}"}})", text.place(fold.span.begin, state_.encoding).line,
-            text.place(fold.span.end, state_.encoding).line, fold.kind == Fold::Kind::comment ? "comment" : "region");
-    });
-    return out;
-}
-
 std::string Encoder::colors(const std::vector<language::Color>& colors) const {
     std::string out;
     add_list(out, colors, [&](const language::Color& color) {
@@ -207,46 +195,6 @@ std::string Encoder::colors(const std::vector<language::Color>& colors) const {
                            color.rgba[2], color.rgba[3]);
     });
     return out;
-}
-
-std::string Encoder::tokens(const std::vector<SemanticToken>& tokens) const {
-    std::string out = R"({"data":[)";
-    Place last;
-    for (const SemanticToken& token : tokens) {
-        const Lines& text = lines(token.span.file);
-        const Place begin = text.place(token.span.begin, state_.encoding);
-        const Place end = text.place(token.span.end, state_.encoding);
-        if (end.line != begin.line || end.character <= begin.character) continue;
-        const std::uint32_t down = begin.line - last.line;
-        out +=
-            fmt::format("{}{},{},{},{},{}", out.back() == '[' ? "" : ",", down,
-                        down == 0 ? begin.character - last.character : begin.character, end.character - begin.character,
-                        static_cast<int>(token.type), static_cast<int>(token.modifiers));
-        last = begin;
-    }
-    return out += "]}";
-}
-
-std::string Encoder::lenses(const std::vector<CodeLens>& lenses, const std::string& text_uri) const {
-    constexpr std::array titles{"open in snell", "render here", "what does this cost?"};
-    std::string out;
-    add_list(out, lenses, [&](const CodeLens& lens) {
-        const auto kind = static_cast<std::size_t>(lens.kind);
-        out += R"({"range":)";
-        add_range(out, lens.span);
-        out +=
-            fmt::format(R"(,"command":{{"title":"{}","command":"{}","arguments":[)", titles[kind], command_names[kind]);
-        add_quoted(out, text_uri);
-        out += fmt::format(",{}]}}}}", lines(lens.span.file).place(lens.span.begin, state_.encoding).line);
-    });
-    return out;
-}
-
-Json token_legend() {
-    return {{"tokenTypes",
-             {"comment", "keyword", "number", "string", "operator", "type", "function", "variable", "parameter",
-              "property", "enumMember", "macro", "class"}},
-            {"tokenModifiers", {"declaration", "readonly", "defaultLibrary"}}};
 }
 
 }  // namespace snell::server

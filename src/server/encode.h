@@ -29,10 +29,7 @@ public:
     Json signatures(const language::SignatureHelp& help) const;
     // As texts, because there may be many.
     std::string symbols(const std::vector<language::Symbol>& symbols) const;
-    std::string folds(const std::vector<language::Fold>& folds) const;
     std::string colors(const std::vector<language::Color>& colors) const;
-    std::string tokens(const std::vector<language::SemanticToken>& tokens) const;
-    std::string lenses(const std::vector<language::CodeLens>& lenses, const std::string& text_uri) const;
 
 private:
     void add_range(std::string& text, const Span& span) const;
@@ -42,8 +39,5 @@ private:
     const language::Project& project_;
     mutable std::map<FileId, Lines> lines_;
 };
-
-// The names of types and modifiers, in the order of their numbers.
-Json token_legend();
 
 }  // namespace snell::server

@@ -5,7 +5,6 @@
 #include "src/language/format.h"
 #include "src/language/services.h"
 #include "src/server/actions.h"
-#include "src/server/commands.h"
 #include "src/server/encode.h"
 
 namespace snell::server {
@@ -88,18 +87,6 @@ Json color_presentation(Asked& a, Params params) {
     for (const Edit& edit : edits) label += (label.empty() ? "" : " ") + edit.text;
     return Json::array({{{"label", label}, {"textEdit", all[0]}, {"additionalTextEdits", std::move(more)}}});
 }
-std::string folding(Asked& a, Params) { return a.encode.folds(language::folds(a.project, a.file())); }
-std::string tokens(Asked& a, Params) { return a.encode.tokens(language::semantic_tokens(a.project, a.file())); }
-std::string tokens_within(Asked& a, Params params) {
-    const std::uint32_t begin = a.offset_of(params.at("range").at("start"));
-    const std::uint32_t end = a.offset_of(params.at("range").at("end"));
-    auto all = language::semantic_tokens(a.project, a.file());
-    std::erase_if(all, [&](const auto& token) { return token.span.end <= begin || token.span.begin >= end; });
-    return a.encode.tokens(all);
-}
-std::string lenses(Asked& a, Params) {
-    return a.encode.lenses(language::code_lenses(a.project, a.file()), a.document.uri);
-}
 Json formatting(Asked& a, Params) {
     if (!a.project.is_scene(a.file())) return nullptr;
     return a.encode.edits(language::layout_edits(a.project.sources.text(a.file()), a.file()));
@@ -122,22 +109,18 @@ struct Method {
     std::string (*answer)(Asked& asked, Params params);
 };
 constexpr auto methods = std::to_array<Method>({
-    {"textDocument/codeLens", lenses},
     {"textDocument/colorPresentation", value<color_presentation>},
     {"textDocument/completion", value<completion>},
     {"textDocument/definition", value<definition>},
     {"textDocument/documentColor", colors},
     {"textDocument/documentHighlight", value<highlights>},
     {"textDocument/documentSymbol", symbols},
-    {"textDocument/foldingRange", folding},
     {"textDocument/formatting", value<formatting>},
     {"textDocument/hover", value<hover>},
     {"textDocument/prepareRename", value<prepare_rename>},
     {"textDocument/rangeFormatting", value<range_formatting>},
     {"textDocument/references", value<references>},
     {"textDocument/rename", value<rename>},
-    {"textDocument/semanticTokens/full", tokens},
-    {"textDocument/semanticTokens/range", tokens_within},
     {"textDocument/signatureHelp", value<signature_help>},
 });
 
@@ -153,7 +136,6 @@ Json actions(State& state, const Json& params) {
 
 std::optional<std::string> feature(State& state, const std::string& method, const Json& params) {
     if (method == "textDocument/codeAction") return text_of(actions(state, params));
-    if (method == "workspace/executeCommand") return text_of(execute(state, params));
     for (const Method& row : methods) {
         if (row.name != method) continue;
         Asked asked(state, params);

@@ -10,8 +10,6 @@
 
 #include "src/content/pipes.h"
 #include "src/server/checks.h"
-#include "src/server/commands.h"
-#include "src/server/errands.h"
 #include "src/server/session.h"
 
 namespace snell::server {
@@ -34,8 +32,6 @@ public:
                 read_what_is_there();
             }
             checks_.go_on();
-            errands_.go_on();
-            look_after_windows(session_.state());
         }
         return session_.over().value_or(session_.status_at_end());
     }
@@ -43,15 +39,13 @@ public:
 private:
     // Until a message, a result or a deadline.
     void wait() {
-        const auto due = std::min(checks_.due(), errands_.due());
-        // Nothing else tells that a window has failed, or that the editor is gone.
-        int most = session_.state().windows.empty() ? 3'000 : 300;
+        const auto due = checks_.due();
+        int most = 3'000;  // nothing else tells that the editor is gone
         if (due != Clock::time_point::max()) {
             const auto left = std::chrono::ceil<std::chrono::milliseconds>(due - Clock::now()).count();
             most = static_cast<int>(std::clamp<std::int64_t>(left, 0, most));
         }
-        std::array<pollfd, 3> ends{
-            {{in_, POLLIN, 0}, {checks_.descriptor(), POLLIN, 0}, {errands_.descriptor(), POLLIN, 0}}};
+        std::array<pollfd, 2> ends{{{in_, POLLIN, 0}, {checks_.descriptor(), POLLIN, 0}}};
         ::poll(ends.data(), ends.size(), most);
         if (ends[0].revents != 0) read_some();
     }
@@ -74,7 +68,6 @@ private:
     std::array<char, 1 << 16> bytes_{};
     Session session_;
     Checks checks_{session_.state()};
-    Errands errands_{session_.state()};
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // What the server knows between two messages.
 #pragma once
 
-#include <deque>
 #include <functional>
 #include <map>
 #include <string>
@@ -40,8 +39,6 @@ struct State {
     Json client = Json::object();  // the capabilities of the editor
     bool halves = false;           // the message that is answered has half a character of UTF-16 (Document::halves)
     int asked = 0;                 // how many requests the server sent to the editor
-    std::deque<Errand> wanted = {};
-    std::vector<Window> windows = {};  // that are open
 
     State(Services given, std::function<void(const std::string&)> out)
         : services(std::move(given)), send(std::move(out)) {}

@@ -56,10 +56,7 @@ def rounds_of(client, uri, text, rounds):
             "signatureHelp": lambda at: {"position": at}, "definition": lambda at: {"position": at},
             "documentHighlight": lambda at: {"position": at}, "references": lambda at: {
                 "position": at, "context": {"includeDeclaration": True}},
-            "foldingRange": lambda at: {}, "documentColor": lambda at: {}, "documentSymbol": lambda at: {},
-            "codeLens": lambda at: {}, "semanticTokens/full": lambda at: {},
-            "semanticTokens/range": lambda at: {"range": {"start": {"line": max(0, at["line"] - 30), "character": 0},
-                                                          "end": {"line": at["line"] + 30, "character": 0}}}}
+            "documentColor": lambda at: {}, "documentSymbol": lambda at: {}}
     version = 1
     for round in range(rounds):
         line = random.randrange(10, len(lines) - 20)

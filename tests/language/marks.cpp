@@ -1,4 +1,4 @@
-// Symbols, colours, folds, semantic tokens and lenses.
+// Symbols and colours.
 #include <algorithm>
 
 #include "tests/language/help.h"
@@ -74,69 +74,6 @@ TEST(Colors, EditsKeepTheAuthorsStyle) {
     EXPECT_EQ(recolored(Editor("Program A uC {2. -1 5}\n"), 0, {.25, .5, 1, 1}), "Program A uC {0.25 .5 1}\n");
     EXPECT_EQ(recolored(Editor("Color 255 0 0\n"), 0, {1, .5, 0, 1}), "Color 1 .5 0\n");
     EXPECT_EQ(recolored(Editor("Program A uC {1 1 1}\n"), 0, {1, 1, 1, 0}), "Program A uC {1 1 1 0}\n");
-}
-
-std::vector<std::string> folded(const Editor& editor) {
-    std::vector<std::string> lines;
-    for (const Fold& fold : folds(editor.project(), editor.file())) {
-        const auto line = [&](std::uint32_t at) {
-            return std::to_string(editor.project().sources.position(editor.file(), at).line);
-        };
-        lines.push_back(line(fold.span.begin) + "-" + line(fold.span.end) +
-                        (fold.kind == Fold::Kind::comment ? " comment" : ""));
-    }
-    return lines;
-}
-
-TEST(Folds, OfScenes) {
-    EXPECT_EQ(
-        folded(Editor(
-            "# a\n# b\n\n# c\nProgram A \\\n  uKa 1.\nSphere\nRenderToTexture 7\nBox\nPushMatrix\nBox\nPopMatrix\n")),
-        (std::vector<std::string>{"1-2 comment", "5-7", "5-6", "8-12", "10-12"}));
-    EXPECT_TRUE(folded(Editor("Sphere\nBox # a\nCone # b\n")).empty());
-}
-
-TEST(Folds, OfShaders) {
-    const Editor editor("Fragment a.frag\nProgram A\n",
-                        {{"a.frag", "/* a\n b */\nvoid main()\n{\n#if A\n  f();\n#else\n  g();\n#endif\n}\n@"}});
-    EXPECT_EQ(folded(editor), (std::vector<std::string>{"1-2 comment", "4-10", "5-6", "7-9"}));
-}
-
-std::string colored(const Editor& editor) {
-    std::string text;
-    constexpr const char* names[] = {"comment",  "keyword",   "number",   "string", "operator", "type", "function",
-                                     "variable", "parameter", "property", "enum",   "macro",    "name"};
-    for (const SemanticToken& token : semantic_tokens(editor.project(), editor.file()))
-        text += (text.empty() ? "" : " ") + editor.text(token.span) + ":" + names[static_cast<int>(token.type)];
-    return text;
-}
-
-TEST(SemanticTokens, OfScenes) {
-    EXPECT_EQ(colored(Editor("Program A uKa <0. true>\n", none_else)),
-              "Program:keyword A:name uKa:property 0.:number true:enum");
-    EXPECT_EQ(colored(Editor("Fragment a.frag # b\n")), "Fragment:keyword a.frag:string # b:comment");
-    EXPECT_EQ(colored(Editor("Ladder L a <b>\nCullFace back\n")),
-              "Ladder:keyword L:macro a:enum b:enum CullFace:keyword back:enum");
-}
-
-TEST(SemanticTokens, OfShaders) {
-    const Editor editor("Fragment a.frag\nProgram A\n",
-                        {{"a.frag", "@uniform float uKa;\nfloat f(float k) { return mix(k, uKa, 1.); }\n"}});
-    EXPECT_EQ(colored(editor),
-              "uniform:keyword float:type uKa:variable float:type f:function float:type k:parameter return:keyword "
-              "mix:function k:parameter uKa:variable 1.:number");
-}
-
-TEST(CodeLenses, StandAboveProgramsAndPasses) {
-    const Editor editor("# scene\nPerspective 50\nRenderToTexture 7\nProgram A uKa 1.\nSphere\nProgram\nBox\n");
-    const auto all = code_lenses(editor.project(), editor.file());
-    ASSERT_EQ(all.size(), 4u);
-    EXPECT_EQ(all[0].kind, CodeLens::Kind::open);
-    EXPECT_EQ(all[1].kind, CodeLens::Kind::render);
-    EXPECT_EQ(editor.text(all[1].span), "Perspective 50");
-    EXPECT_EQ(all[2].name, "RenderToTexture");
-    EXPECT_EQ(all[3].name, "A");
-    EXPECT_EQ(all[3].kind, CodeLens::Kind::cost);
 }
 
 }  // namespace

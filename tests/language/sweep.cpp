@@ -60,16 +60,6 @@ public:
             check(color.span);
             for (const Edit& edit : color_edits(project_, color.span, {.1, .2, .3, .4})) check(edit.span);
         }
-        for (const Fold& fold : folds(project_, file)) check(fold.span);
-        for (const CodeLens& lens : code_lenses(project_, file)) check(lens.span);
-        std::uint32_t end = 0;
-        for (const SemanticToken& token : semantic_tokens(project_, file)) {
-            check(token.span);
-            ASSERT_GE(token.span.begin, end);
-            end = token.span.end;
-            const auto text = project_.sources.text(file).substr(token.span.begin, token.span.end - token.span.begin);
-            ASSERT_EQ(text.find('\n'), std::string_view::npos);
-        }
     }
 
 private:
@@ -210,9 +200,7 @@ TEST(LanguageSweep, OddTextsTakeNoLongerThanOthers) {
         const auto end = static_cast<std::uint32_t>(text.size());
         const auto ask = [&] {
             completions(project, file, end);
-            semantic_tokens(project, file);
             symbols(project, file);
-            folds(project, file);
         };
         const double took = milliseconds(ask, 1);
         EXPECT_LT(took, 400 * patience) << part;
@@ -239,13 +227,10 @@ TEST(LanguageSweep, LongTextsAreAnsweredSoon) {
     expect_soon("scene: completion", [&] { completions(project, project.scene_file, middle); });
     expect_soon("scene: hover", [&] { hover(project, project.scene_file, middle); });
     expect_soon("scene: symbols", [&] { symbols(project, project.scene_file); });
-    expect_soon("scene: semantic tokens", [&] { semantic_tokens(project, project.scene_file); });
-    expect_soon("scene: folds", [&] { folds(project, project.scene_file); });
     expect_soon("scene: colours", [&] { colors(project, project.scene_file); });
     expect_soon("shader: completion", [&] { completions(project, editor.file(), editor.offset()); });
     expect_soon("shader: hover", [&] { hover(project, editor.file(), editor.offset() - 6); });
     expect_soon("shader: symbols", [&] { symbols(project, editor.file()); });
-    expect_soon("shader: semantic tokens", [&] { semantic_tokens(project, editor.file()); });
     expect_soon("shader: references", [&] { references(project, editor.file(), 15); });
     expect_soon("shader: rename", [&] { rename(project, editor.file(), 15, "uFresh"); });
 }

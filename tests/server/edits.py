@@ -60,7 +60,7 @@ def random_edit(text, encoding):
 def said(client, uri):
     document = {"textDocument": {"uri": uri}}
     return [client.request("textDocument/" + method, document)
-            for method in ("semanticTokens/full", "documentSymbol", "foldingRange", "documentColor")]
+            for method in ("documentSymbol", "documentColor", "formatting")]
 
 
 def main(snell, rounds):

@@ -120,7 +120,7 @@ class Wrong(unittest.TestCase):
     def test_params_of_a_wrong_shape(self):
         shapes = [None, 1, [], "x", {}, {"textDocument": 1}, {"textDocument": {}}, {"textDocument": {"uri": 5}},
                   {"textDocument": {"uri": "file:///nowhere.glib"}, "position": {"line": "x"}}]
-        methods = ["hover", "completion", "rename", "codeAction", "semanticTokens/full", "formatting"]
+        methods = ["hover", "completion", "rename", "codeAction", "documentSymbol", "formatting"]
         data = b"".join(frame(request(10 + i, "textDocument/" + m, p))
                         for i, (m, p) in enumerate((m, p) for m in methods for p in shapes))
         answers = self.answers(data)
@@ -217,7 +217,7 @@ class Requests(unittest.TestCase):
         uri = c.open(self.scene)
         document = {"textDocument": {"uri": uri}}
         # In one write, so that the cancellation is there before the request is looked at.
-        c.raw(b"".join(frame(request(f"r{i}", "textDocument/semanticTokens/full", document)) for i in range(20)) +
+        c.raw(b"".join(frame(request(f"r{i}", "textDocument/documentSymbol", document)) for i in range(20)) +
               b"".join(frame(notification("$/cancelRequest", {"id": f"r{i}"})) for i in range(1, 20)))
         answers = [c.answer(f"r{i}") for i in range(20)]
         self.assertEqual({code(a) for a in answers[1:] if "error" in a}, {-32800})

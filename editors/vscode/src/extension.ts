@@ -1,41 +1,25 @@
 // The client of `snell lsp`.
-import { CancellationTokenSource, commands, ViewColumn, window, workspace, Uri, type ExtensionContext } from 'vscode';
-import {
-    LanguageClient,
-    type LanguageClientOptions,
-    type ServerOptions,
-    type ShowDocumentParams,
-    type ShowDocumentResult,
-} from 'vscode-languageclient/node';
+import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
+import { commands, ViewColumn, window, workspace, Uri, type ExtensionContext } from 'vscode';
+import { LanguageClient, type LanguageClientOptions, type ServerOptions } from 'vscode-languageclient/node';
 import { sceneFolders, selector, shaderFiles } from './shaders';
 
 let client: LanguageClient | undefined;
 let folders = '';
 
-const isPicture = (params: ShowDocumentParams) => /\.(png|jpe?g)$/i.test(params.uri) && !params.external;
-
-// Pictures are shown next to the text, which the protocol's own way cannot do.
-async function showPicture(uri: string): Promise<boolean> {
-    await commands.executeCommand('vscode.open', Uri.parse(uri), { viewColumn: ViewColumn.Beside, preserveFocus: true });
-    return true;
-}
+const program = (): string => workspace.getConfiguration('snell').get<string>('path', 'snell');
 
 async function start(): Promise<void> {
-    const command = workspace.getConfiguration('snell').get<string>('path', 'snell');
+    const command = program();
     const shaders = await sceneFolders();
     folders = shaders.join();
     const server: ServerOptions = { command, args: ['lsp'] };
     const options: LanguageClientOptions = {
         documentSelector: selector(shaders),
         synchronize: { fileEvents: [workspace.createFileSystemWatcher('**/*.glib'), workspace.createFileSystemWatcher(shaderFiles)] },
-        middleware: {
-            window: {
-                showDocument: async (params, next) =>
-                    isPicture(params)
-                        ? { success: await showPicture(params.uri) }
-                        : ((await next(params, new CancellationTokenSource().token)) as ShowDocumentResult),
-            },
-        },
     };
     client = new LanguageClient('snell', 'snell', server, options);
     try {
@@ -66,11 +50,28 @@ async function lookAgain(): Promise<void> {
     if ((await sceneFolders()).join() !== folders) await restart();
 }
 
-// Asks the server to do something with the scene of the active editor, as its code lenses do.
-async function ask(what: string): Promise<void> {
-    const editor = window.activeTextEditor;
-    if (!editor || !client) return;
-    await commands.executeCommand(what, editor.document.uri.toString(), editor.selection.active.line);
+// Runs snell with the scene of the active editor, after all texts are saved. The process outlives the editor.
+async function run(words: string[], done: () => unknown = () => undefined): Promise<void> {
+    const scene = window.activeTextEditor?.document;
+    if (scene?.languageId !== 'glib' || scene.uri.scheme !== 'file') return;
+    await workspace.saveAll(false);
+    const fail = (why: string) => void window.showErrorMessage(`${basename(scene.uri.fsPath)}: ${why}`);
+    const child = spawn(program(), [...words, '--color', 'never', '--', scene.uri.fsPath], { detached: true, stdio: ['ignore', 'ignore', 'pipe'] });
+    let said = '';
+    child.stderr.on('data', (some) => (said = (said + String(some)).slice(-16384)));
+    child.on('error', (error) => fail(error.message));
+    child.on('close', (status) => (status === 0 ? done() : fail(/.*error: .*/.exec(said)?.[0] ?? `snell ended with status ${status}`)));
+    child.unref();
+}
+
+let pictures = '';
+
+// The picture is shown next to the text.
+async function render(): Promise<void> {
+    pictures ||= mkdtempSync(join(tmpdir(), 'snell-'));
+    const picture = join(pictures, `${basename(window.activeTextEditor?.document.uri.fsPath ?? '', '.glib')}.png`);
+    const beside = { viewColumn: ViewColumn.Beside, preserveFocus: true };
+    await run(['render', '-o', picture], () => commands.executeCommand('vscode.open', Uri.file(picture), beside));
 }
 
 export async function activate(context: ExtensionContext): Promise<void> {
@@ -81,9 +82,9 @@ export async function activate(context: ExtensionContext): Promise<void> {
         workspace.onDidOpenTextDocument((document) => (document.languageId === 'glib' ? inTurn(lookAgain) : undefined)),
         workspace.onDidChangeWorkspaceFolders(() => inTurn(lookAgain)),
         workspace.onDidChangeConfiguration((change) => (change.affectsConfiguration('snell') ? inTurn(restart) : undefined)),
-        commands.registerCommand('snell.openScene', () => ask('snell.open')),
-        commands.registerCommand('snell.renderScene', () => ask('snell.render')),
-        commands.registerCommand('snell.sceneCost', () => ask('snell.cost')),
+        commands.registerCommand('snell.openScene', () => run([])),
+        commands.registerCommand('snell.renderScene', render),
+        { dispose: () => (pictures ? rmSync(pictures, { recursive: true, force: true }) : undefined) },
         commands.registerCommand('snell.restart', () => inTurn(restart)),
     );
     await inTurn(start);

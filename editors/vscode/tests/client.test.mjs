@@ -44,7 +44,6 @@ after(async () => {
 test('every command of the manifest is there', () => {
     assert.deepEqual(editor.messages, []);
     for (const { command } of manifest.contributes.commands) assert.ok(editor.commands.has(command), command);
-    for (const command of ['snell.open', 'snell.render', 'snell.cost']) assert.ok(editor.commands.has(command), command);
 });
 
 test('errors come and go while one types', async () => {
@@ -99,18 +98,14 @@ test('a uniform is found and renamed in the scene and its shader', async () => {
     assert.deepEqual(edit.entries().map(([uri, edits]) => [uri.toString(), edits.length]).sort(), [[shader.uri.toString(), 2], [scene.uri.toString(), 1]].sort());
 });
 
-test('above statements stand the commands', async () => {
-    const lenses = await editor.ask('CodeLens', 'provideCodeLenses', scene);
-    const commands = new Set(lenses.map(({ command }) => command.command));
-    assert.deepEqual([...commands].sort(), ['snell.cost', 'snell.open', 'snell.render']);
-});
-
 test('a scene is rendered next to the text', async () => {
+    editor.vscode.window.activeTextEditor = { document: scene };
     await editor.commands.get('snell.renderScene')();
     await until(() => editor.opened.some((uri) => uri.endsWith('.png')), 'no picture is shown');
 });
 
-test('the cost of a scene is told', async () => {
-    await editor.commands.get('snell.sceneCost')();
-    await until(() => editor.messages.some((message) => /A frame takes .* ms/.test(message)), 'no cost is told');
+test('a scene that is not drawn says why', async () => {
+    editor.edit(scene, 'Sphere', 'Spher');
+    await editor.commands.get('snell.renderScene')();
+    await until(() => editor.messages.some((message) => /scene\.glib: .*unknown command 'Spher'/.test(message)), 'nothing is said');
 });

@@ -1,7 +1,7 @@
 // As much of VS Code as vscode-languageclient needs, without a window: documents, events, what extensions register, and
 // what they show. The library itself and the extension are the real ones.
 const Module = require('node:module');
-const { readFileSync } = require('node:fs');
+const { readFileSync, writeFileSync } = require('node:fs');
 const { basename } = require('node:path');
 const minimatch = require('minimatch');
 const { URI, Utils } = require('vscode-uri');
@@ -174,6 +174,7 @@ function createEditor(folder, settings, findFiles) {
             workspaceFolders, textDocuments: editor.documents, notebookDocuments: [], isTrusted: true, fs: {},
             getConfiguration: () => configuration, createFileSystemWatcher: watcher, findFiles,
             getWorkspaceFolder: (uri) => (uri.fsPath.startsWith(`${folder}/`) ? workspaceFolders[0] : undefined),
+            saveAll: async () => editor.documents.every((one) => !writeFileSync(one.uri.fsPath, one.text)),
             asRelativePath: (path) => String(path), applyEdit: async () => true,
         },
         languages: {

@@ -10,7 +10,6 @@
 #include "parser/text/ranges.h"
 #include "src/app/commands/check.h"
 #include "src/app/commands/subcommands.h"
-#include "src/app/lsp/errands.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/version.h"
 #include "src/content/uri.h"
@@ -70,8 +69,6 @@ int serve() {
     const fs::path docs = docs_folder();
     server::Services services;
     services.driver = driver;
-    services.run = run_errand;
-    services.open = open_window;
     services.page_of = [docs](std::string_view code) { return page_of(docs, code); };
     services.doc_file = [docs](std::string_view name) { return doc_file(docs, name); };
     services.version = version();

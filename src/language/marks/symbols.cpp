@@ -2,15 +2,27 @@
 #include <algorithm>
 #include <array>
 
+#include "parser/commands/commands.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/language/marks/statement_kinds.h"
 #include "src/language/names/texts.h"
 #include "src/language/services.h"
 
 namespace snell::language {
 
 namespace {
+
+bool begins_pass(const Command& command) { return command.name.starts_with("RenderTo"); }
+
+bool binds_texture(const Command& command) {
+    return command.name.starts_with("Texture") || command.name == "CubeMap" || command.name == "Irradiance" ||
+           command.name == "Prefilter";
+}
+
+bool draws(const Command& command) {
+    return command.group == "Geometry" && command.name != "NumPatchVertices" &&
+           (!command.name.starts_with("gl") || command.name == "glBegin");
+}
 
 using Kind = ShaderDeclaration::Kind;
 
