@@ -273,8 +273,10 @@ private:
         std::optional<IncludedText> included = reader_(open_.back().name, file_name(name));
         if (!included || included->name.empty()) {
             const std::string near = included ? suggested(included->nearest) : std::string();
-            Diagnostic& said = report_.error("include-not-found", span, "'" + std::string(name) + "' cannot be read",
-                                             near.empty() ? near : "did you mean '" + near + "'?");
+            const std::string why = included && !included->why.empty() ? ": " + included->why : std::string();
+            Diagnostic& said =
+                report_.error("include-not-found", span, "'" + std::string(name) + "' cannot be read" + why,
+                              near.empty() ? near : "did you mean '" + near + "'?");
             if (!near.empty()) said.fixes.push_back({name_span, text_of::name(near)});
             return;
         }

@@ -20,6 +20,7 @@ struct IncludedText {
     std::string text;
     std::string nearest = {};  // without a name: the file that was probably meant
     std::string exact = {};    // the name as the scene should write it, if it writes another one
+    std::string why = {};      // without a name: why the file cannot be read, if that is known
 };
 // Reads the scene `name` that is included by the scene `from`; returns nullopt if it cannot be read.
 using IncludeReader = std::function<std::optional<IncludedText>(std::string_view from, std::string_view name)>;

@@ -38,6 +38,7 @@ struct Define {
 // Gives the text of `#include "name"` (relative to `from`) or `#include <name>` (angle = true).
 struct IncludeText {
     std::string name, text;
+    std::string why = {};  // without a name: why the file cannot be read
 };
 using IncludeReader =
     std::function<std::optional<IncludeText>(std::string_view from, std::string_view name, bool angle)>;

@@ -134,7 +134,7 @@ private:
         const std::size_t from = place(shader_of(file));
         for (const Include& include : includes_of(project_.sources.text(file))) {
             auto text = read(name, include.name, include.angle);
-            if (!text) continue;
+            if (!text || text->name.empty()) continue;
             const auto known = project_.firsts.find(text->name);
             Shader& shader = shader_of(known != project_.firsts.end()
                                            ? known->second

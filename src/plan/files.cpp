@@ -12,6 +12,7 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/tidy.h"
 #include "src/content/regular_file.h"
+#include "src/content/walk.h"
 #include "src/plan/similar.h"
 
 namespace snell {
@@ -204,7 +205,46 @@ Resolved once(std::mutex& mutex, std::map<std::string, Resolved>& missing, std::
 }  // namespace
 
 Resolved Files::resolve(std::string_view written, const std::vector<std::string_view>& extensions) const {
+    const Resolved found = in_folder(written, extensions);
+    if (!found.path.empty() || access_.allow.empty()) return found;
+    const Resolved shared = handed_out(written, extensions);
+    return shared.path.empty() ? found : shared;
+}
+
+Resolved Files::in_folder(std::string_view written, const std::vector<std::string_view>& extensions) const {
     return once(mutex_, missing_, folder_, written, extensions, [&] { return look_for(written, extensions); });
+}
+
+// Of several files of that name, the one with most of the folders that were written ahead of it, then the first.
+Resolved Files::handed_out(std::string_view written, const std::vector<std::string_view>& extensions) const {
+    const std::scoped_lock lock(mutex_);
+    if (!handed_out_) {
+        handed_out_.emplace();
+        for (const std::string& folder : access_.allow)
+            content::walk(folder, [&](const fs::path& path, fs::file_status status, int) {
+                if (fs::is_regular_file(status)) handed_out_->emplace(lowered(path.filename().string()), path.string());
+                return handed_out_->size() < max_entries ? content::Walk::on : content::Walk::end;
+            });
+    }
+    const std::string wanted = lowered(tidy(written));
+    const auto common = [](std::string_view a, std::string_view b) {
+        std::size_t n = 0;
+        while (n < a.size() && n < b.size() && a[a.size() - 1 - n] == b[b.size() - 1 - n]) ++n;
+        return n;
+    };
+    std::vector<std::string> names{wanted};
+    for (const std::string_view extension : extensions)
+        names.push_back(wanted + (wanted.ends_with('.') ? "" : ".") + std::string(extension));
+    for (const std::string& name : names) {
+        const auto [begin, end] = handed_out_->equal_range(std::string(last_component(name)));
+        const auto rank = [&](const auto& entry) {
+            return std::pair(~common(lowered(entry.second), name), std::string_view(entry.second));
+        };
+        const auto best = std::min_element(begin, end, [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+        if (best != end)
+            return {best->second, last_component(best->second) != last_component(tidy(written)), {}, false};
+    }
+    return {};
 }
 
 Resolved Files::look_for(std::string_view written, const std::vector<std::string_view>& extensions) const {
@@ -224,7 +264,7 @@ Resolved Files::look_for(std::string_view written, const std::vector<std::string
     }
     // The scene was written on another machine, or before its files were gathered in one folder.
     if (const std::string file(last_component(name)); file != name && file != ".." && !has_drive(file)) {
-        if (Resolved here = resolve(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
+        if (Resolved here = in_folder(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
     }
     struct stat status {};
     if (!roots_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name)))
@@ -237,8 +277,16 @@ Resolved Files::resolve_beside(std::string_view from, std::string_view name,
     const std::size_t slash = from.rfind('/');
     const std::string folder(slash == std::string_view::npos ? "" : from.substr(0, slash + 1));
     const Resolved beside = once(mutex_, missing_, folder, name, extensions,
-                                 [&] { return Files(folder, access_).resolve(name, extensions); });
-    return beside.path.empty() ? resolve(name, extensions) : beside;
+                                 [&] { return Files(folder, access_).in_folder(name, extensions); });
+    Resolved found = beside.path.empty() ? resolve(name, extensions) : beside;
+    // Only the last component led there.
+    const std::string written = tidy(name);
+    if (found.inexact && found.path == from && last_component(written) != written) {
+        const bool there = fs::exists(is_absolute(written) ? written : join(folder, written));
+        return {{}, false, {}, there};
+    }
+    found.outside = found.outside || (found.path.empty() && beside.outside);
+    return found;
 }
 
 const std::string* Files::instead_of(const std::string& path) const {

@@ -28,6 +28,10 @@ struct Resolved {
     bool outside = false;  // the file exists, but outside of the folder that may be read
 };
 
+// Why a file that is `outside` is not read.
+inline constexpr std::string_view outside_reason =
+    "it is outside of the folder that reading is confined to, and only files inside may be read";
+
 // Which files a scene may read, and how large they may be.
 struct Access {
     Limits limits;
@@ -37,7 +41,8 @@ struct Access {
     // By path, or by path without links and "..": what is read instead of the file, which must exist. For texts that
     // were changed and are not written yet.
     std::shared_ptr<const std::map<std::string, std::string>> instead = nullptr;
-    // Folders whose files are read too, although they are not within `confine`.
+    // Folders whose files are read too, although they are not within `confine`. A file that is found nowhere else is
+    // found there by its name, in folders of any depth.
     std::vector<std::string> allow = {};
 };
 
@@ -52,11 +57,12 @@ public:
     const Limits& limits() const { return access_.limits; }
     // Looks for a regular file, or a link to one, in this order: the name itself; the name without regard to (ASCII)
     // case; the name with each of `extensions`, such as {"vert", "vs", "glsl"}, first exactly and then without regard
-    // to case; its last component in the folder itself. '\' counts as '/', and quotes around the name are dropped. A
-    // name that was not found is remembered, and its search is not repeated.
+    // to case; its last component in the folder itself; its last component in Access::allow. '\' counts as '/', and
+    // quotes around the name are dropped. A name that was not found is remembered, and its search is not repeated.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
     // Resolves a name that an included scene or shader contains: relative to the folder of that file, whose path on
-    // disk is `from`, and otherwise to this object's folder.
+    // disk is `from`, and otherwise to this object's folder. A name that leads elsewhere is not taken for `from`
+    // itself.
     Resolved resolve_beside(std::string_view from, std::string_view name,
                             const std::vector<std::string_view>& extensions = {}) const;
     // Returns the file's bytes. Returns nullopt and sets `error` if it cannot be read. A pipe or a device is refused
@@ -74,7 +80,9 @@ public:
 
 private:
     const std::string* instead_of(const std::string& path) const;  // null: the file itself
+    Resolved in_folder(std::string_view written, const std::vector<std::string_view>& extensions) const;
     Resolved look_for(std::string_view written, const std::vector<std::string_view>& extensions) const;
+    Resolved handed_out(std::string_view written, const std::vector<std::string_view>& extensions) const;
 
     std::string folder_;
     Access access_;
@@ -83,6 +91,8 @@ private:
     FileCounters counters_;
     std::map<std::string, std::shared_ptr<const std::string>> texts_;  // by path, for read_once()
     mutable std::map<std::string, Resolved> missing_;                  // by the name that was looked up
+    // Paths below the folders of Access::allow, by file names in lower case; nullopt: not read yet.
+    mutable std::optional<std::multimap<std::string, std::string>> handed_out_;
     std::vector<std::string> read_paths_;
 };
 

@@ -61,9 +61,7 @@ Resolved resolve(const FileName& file, std::string_view name, const Extensions& 
 std::string accept(const FileName& file, const Resolved& resolved, const Files& files, Diagnostics& diagnostics) {
     if (resolved.path.empty()) {
         if (resolved.outside)
-            report_unreadable(
-                file, "it is outside of the folder that reading is confined to, and only files inside may be read",
-                diagnostics);
+            report_unreadable(file, outside_reason, diagnostics);
         else
             report_missing({{file.name, file.span, resolved.nearest}}, diagnostics);
     } else if (resolved.inexact) {

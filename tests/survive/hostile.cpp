@@ -55,11 +55,21 @@ TEST_F(Hostile, NothingOutsideOfTheFolderIsRead) {
     // What lies inside is read, by a name that leaves the folder and comes back too.
     folder_.write("scene/inside.glib", "swordfish\n");
     EXPECT_TRUE(check("Include ../scene/inside.glib\n").says("swordfish"));
+    // What is outside is not taken for the file that includes it.
+    folder_.write("s.glib", "swordfish\n");
+    folder_.write("same.frag", "swordfish\n");
+    folder_.write("scene/same.frag", "#include \"../same.frag\"\nvoid main() { gl_FragColor = vec4(1.); }\n");
+    for (const std::string text : {"Include ../s.glib\nSphere\n", "Fragment same.frag\nProgram P\nSphere\n"}) {
+        const test::Outcome same = check(text);
+        EXPECT_TRUE(same.says(": it is outside of the folder that reading is confined to")) << same.output;
+        EXPECT_FALSE(same.says("includes itself")) << same.output;
+        EXPECT_FALSE(check(text, "").says("includes itself"));
+    }
     // A wider folder may be named.
     EXPECT_TRUE(check("Include ../secret.glib\n", "--confine " + folder_.path()).says("swordfish"));
     // Or one more, and only that one.
-    folder_.write("shared/secret.glib", "swordfish\n");
-    EXPECT_TRUE(check("Include ../shared/secret.glib\n", "--grade --allow " + at("shared")).says("swordfish"));
+    folder_.write("shared/more.glib", "swordfish\n");
+    EXPECT_TRUE(check("Include ../shared/more.glib\n", "--grade --allow " + at("shared")).says("swordfish"));
     EXPECT_FALSE(check("Include ../secret.glib\n", "--grade --allow " + at("shared")).says("swordfish"));
     EXPECT_EQ(check("Sphere\n", "--grade --allow " + at("missing")).status, 2);
     // The scene itself may be a link out.

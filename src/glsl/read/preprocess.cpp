@@ -337,9 +337,10 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
     std::optional<IncludeText> got;
     if (options_.include) got = options_.include(file_name_.back(), name, angle);
     // The names of gstap.h are always known.
-    if (!got && name == "gstap.h") got = IncludeText{"gstap.h", ""};
-    if (!got) {
-        diagnostics_.error("missing-include", where, "cannot read the included file '" + std::string(name) + "'");
+    if ((!got || got->name.empty()) && name == "gstap.h") got = IncludeText{"gstap.h", ""};
+    if (!got || got->name.empty()) {
+        diagnostics_.error("missing-include", where,
+                           "cannot read the included file '" + std::string(name) + "'" + (got ? ": " + got->why : ""));
         return blank_out(start, end);
     }
     if (std::find(file_name_.begin(), file_name_.end(), got->name) != file_name_.end()) {

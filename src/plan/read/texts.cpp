@@ -13,10 +13,10 @@ namespace {
 IncludeReader scene_includes(Files& files) {
     return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
         const Resolved resolved = files.resolve_beside(from, name, scene_extensions());
-        if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest};
-        std::string error;
+        std::string error(resolved.outside ? outside_reason : "");
+        if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest, {}, std::move(error)};
         auto text = files.read(resolved.path, error);
-        if (!text) return std::nullopt;
+        if (!text) return IncludedText{{}, {}, {}, {}, std::move(error)};
         return IncludedText{
             resolved.path, std::move(*text), {}, resolved.inexact ? written_name(resolved.path, from, files) : ""};
     };
@@ -48,9 +48,10 @@ glsl::IncludeReader shader_includes(Files& files) {
             return glsl::IncludeText{std::string(name), std::string(text)};
         }
         const Resolved resolved = files.resolve_beside(from, name, {"glsl"});
-        std::string error;
+        std::string error(resolved.outside ? outside_reason : "");
         const auto text = resolved.path.empty() ? nullptr : files.read_once(resolved.path, error);
-        if (!text) return std::nullopt;
+        if (!text && error.empty()) return std::nullopt;
+        if (!text) return glsl::IncludeText{{}, {}, std::move(error)};
         return glsl::IncludeText{resolved.path, *text};
     };
 }
