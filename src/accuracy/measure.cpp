@@ -295,9 +295,10 @@ void judge_residual(SweepResult& result) {
     else if (result.sweep.kind == SweepKind::found)
         result.reference_note = "compared with the scene as it is, at the place where the difference is largest";
     else if (result.residual)
-        result.reference_note = *result.residual > 0
-                                    ? fmt::format("reference good to {:.0f} dB ({})", psnr(*result.residual), knobs)
-                                    : fmt::format("the reference does not change with finer knobs ({})", knobs);
+        result.reference_note =
+            *result.residual > 0
+                ? fmt::format("reference good to {:.0f} dB ({})", decibels(psnr(*result.residual), 0), knobs)
+                : fmt::format("the reference does not change with finer knobs ({})", knobs);
     else if (result.reference_note.empty())
         result.reference_note = fmt::format("it is not known how good the reference is ({}): the time was up", knobs);
     // Elsewhere the rungs don't differ, so what was extrapolated is spread over more pixels.

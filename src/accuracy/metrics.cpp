@@ -81,7 +81,12 @@ std::size_t count(const Region& region) {
     return static_cast<std::size_t>(ranges::count_if(region, [](std::uint8_t in) { return in != 0; }));
 }
 
-double psnr(double rmse) { return rmse == 0 ? infinite : 0 - 20 * std::log10(rmse); }
+double psnr(double rmse) { return rmse == 0 ? infinite : -20 * std::log10(rmse); }
+
+double decibels(double psnr, int decimals) {
+    const double scale = std::pow(10, decimals);
+    return std::round(psnr * scale) / scale + 0.;  // -0 + 0 is 0
+}
 
 Error compare(const Picture& picture, const Picture& reference, const Region& region) {
     Error error;

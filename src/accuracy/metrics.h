@@ -51,6 +51,8 @@ Error compare(const Picture& picture, const Picture& reference, const Region& re
 
 // In dB relative to a peak of 1; infinite for an RMSE of 0.
 double psnr(double rmse);
+// For printing with that many decimals: nothing is printed as "-0".
+double decibels(double psnr, int decimals);
 
 // The first pixel that counts and is not finite, and how many there are.
 struct NonFinite {

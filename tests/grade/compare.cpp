@@ -60,6 +60,13 @@ TEST_F(Compare, LimitsMakeItATest) {
     EXPECT_EQ(compare("a.bmp b.bmp --max-rmse .007").status, 1);
     EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50").status, 1);
     EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50 --threshold .01").status, 0);
+    for (const std::string any : {"8", "1.01", "8/", "/255", "8/0", "300/255", "1/2/3", "8/255x"}) {
+        const Outcome refused = compare("a.bmp b.bmp --max-pixels 50 --threshold " + any);
+        EXPECT_EQ(refused.status, 2) << any;
+        EXPECT_TRUE(refused.says("is neither a number from 0 to 1 nor one of bytes, such as 8/255")) << refused.output;
+    }
+    EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50 --threshold 1.9/255").status, 1);
+    EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50 --threshold 2.1/255").status, 0);
     EXPECT_EQ(compare("a.bmp b.bmp --max-flip 1e-5").status, 1);
     EXPECT_EQ(compare("a.bmp b.bmp --max-flip 2").status, 2);
     EXPECT_EQ(compare("a.bmp").status, 2);
@@ -85,6 +92,16 @@ TEST_F(Compare, BlackAndWhiteHaveNoDecibels) {
     const Outcome outcome = compare("black.bmp white.bmp");
     EXPECT_TRUE(outcome.says("PSNR      0 dB of displayed values, 0 dB of light")) << outcome.output;
     EXPECT_FALSE(outcome.says("-0")) << outcome.output;
+    // Light just above white: .0004 dB more than the peak.
+    const auto grey_light = [&](const std::string& name, float value) {
+        std::string bytes = "PF\n20 10\n-1.0\n";
+        for (int i = 0; i < 20 * 10 * 3; ++i) bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+        folder.write(name, bytes);
+    };
+    grey_light("none.pfm", 0);
+    grey_light("over.pfm", 1.00005F);
+    const Outcome light = compare("none.pfm over.pfm");
+    EXPECT_TRUE(light.says("dB of displayed values, 0 dB of light")) << light.output;
 }
 
 // What a display cannot show makes no difference between displayed values, but between lights.

@@ -117,7 +117,7 @@ private:
         if (const double residual = sweep_.residual.value_or(0); sweep_.metric == Metric::rmse && y_.shows(residual)) {
             line("step", left, y_.at(residual), width - right, y_.at(residual));
             text("tick", width - right - 4, y_.at(residual) - 4, "end",
-                 fmt::format("reference good to {:.0f} dB", psnr(residual)));
+                 fmt::format("reference good to {:.0f} dB", decibels(psnr(residual), 0)));
         }
     }
 

@@ -114,7 +114,7 @@ std::string known_text(std::string_view format, double value) {
 }
 
 std::string psnr_text(double psnr) {
-    if (std::isfinite(psnr)) return fmt::format("{:.1f}", psnr);
+    if (std::isfinite(psnr)) return fmt::format("{:.1f}", decibels(psnr, 1));
     return std::isnan(psnr) ? "?" : psnr > 0 ? "equal" : "not finite";
 }
 

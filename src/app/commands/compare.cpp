@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
+#include "parser/text/real.h"
 #include "parser/text/utf8.h"
 #include "src/accuracy/difference.h"
 #include "src/app/commands/options.h"
@@ -42,6 +43,19 @@ struct CompareOptions {
     double timeout = 20;
     ScenePicture scene;
 };
+
+// A difference of displayed values, such as ".03" or "8/255".
+std::optional<double> parse_threshold(std::string_view text) {
+    const auto number = [](std::string_view part) {
+        double value = 0;
+        const auto [end, error] = read_real(part.data(), part.data() + part.size(), value);
+        const bool whole = error == std::errc() && end == part.data() + part.size();
+        return whole ? value : std::numeric_limits<double>::quiet_NaN();
+    };
+    const std::size_t slash = text.find('/');
+    const double value = number(text.substr(0, slash)) / (slash == text.npos ? 1 : number(text.substr(slash + 1)));
+    return value >= 0 && value <= 1 ? std::optional(value) : std::nullopt;
+}
 
 // Reads pictures and draws scenes; the context is made for the first scene.
 class Pictures {
@@ -188,7 +202,8 @@ void print_compared(const Compared& c, const CompareOptions& options, std::FILE*
     fmt::print(out, "{} against {}: {}x{}{}\n", utf8::printable(c.picture), utf8::printable(c.reference), c.width,
                c.height, c.alike ? "" : ", different");
     fmt::print(out, "  RMSE      {:.6g} of displayed values, {:.6g} of light\n", shown.rmse, light.rmse);
-    fmt::print(out, "  PSNR      {:.4g} dB of displayed values, {:.4g} dB of light\n", shown.psnr, light.psnr);
+    fmt::print(out, "  PSNR      {:.6g} dB of displayed values, {:.6g} dB of light\n",
+               accuracy::decibels(shown.psnr, 2), accuracy::decibels(light.psnr, 2));
     if (d.largest > 0)
         fmt::print(out, "  largest   {:.6g} of displayed values at {},{} from the top left\n", d.largest, d.x, d.y);
     fmt::print(out, "  FLIP      {:.6g}\n", d.flip);
@@ -370,10 +385,15 @@ Run add_compare(CLI::App& command) {
         ->check(check_finite_number)
         ->check(CLI::Range(0., 100.));
     command
-        .add_option("--threshold", options->threshold,
-                    "pixels differ if a channel differs by more (default: .0059, one and a half steps of a byte)")
-        ->check(check_finite_number)
-        ->check(CLI::Range(0., 1e9));
+        .add_option_function<std::string>(
+            "--threshold",
+            [options](const std::string& text) { options->threshold = parse_threshold(text).value_or(0); },
+            "pixels differ if a channel differs by more: 0 to 1, or N/255 (default: 1.5/255)")
+        ->check([](const std::string& text) {
+            return parse_threshold(text)
+                       ? ""
+                       : "'" + text + "' is neither a number from 0 to 1 nor one of bytes, such as 8/255";
+        });
     command.add_flag("--displayed", options->displayed,
                      "numbers of EXR and HDR files are displayed values, as scenes without 'Output srgb' write them");
     add_values(command, options->scene.sets, options->scene.ladders);

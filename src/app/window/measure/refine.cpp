@@ -170,7 +170,7 @@ ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
     facts.wanted = levels.back();
     facts.clock = accuracy::name(caps_.software ? accuracy::ClockKind::cpu : accuracy::ClockKind::wall);
     facts.error = error_.light.rmse;
-    facts.psnr = error_.light.psnr;
+    facts.psnr = accuracy::decibels(error_.light.psnr, 1);
     facts.largest = error_.light.max;
     facts.of_display = error_.display.rmse;
     facts.nonfinite = error_.nonfinite;
