@@ -47,17 +47,22 @@ TEST_F(New, EachKindIsCompleteAndWithoutWarnings) {
 }
 
 TEST_F(New, WordsOfTheNameChooseTheKind) {
-    const auto kind = [](std::string_view name) { return std::string(app::kind_for(name).kind->name); };
+    const auto kind = [](std::string_view name) {
+        std::string found;
+        for (const app::Choice& choice : app::kinds_for(name))
+            found += (found.empty() ? "" : " ") + std::string(choice.kind->name);
+        return found;
+    };
     EXPECT_EQ(kind("glass"), "refract");
     EXPECT_EQ(kind("My Glass Ball"), "refract");
     EXPECT_EQ(kind("refract_glass"), "refract") << "two words of one kind";
     EXPECT_EQ(kind("homework3-mirror2"), "reflect");
-    EXPECT_EQ(kind("glasses"), "blank") << "a whole word";
-    EXPECT_EQ(kind("glass\xC3\xA9"), "blank") << "a letter beyond ASCII goes on with the word";
-    EXPECT_EQ(kind("glass-mirror"), "blank") << "they disagree";
-    EXPECT_EQ(kind("glass-mirror-glass"), "blank");
-    EXPECT_EQ(kind("project"), "blank");
-    EXPECT_EQ(kind(""), "blank");
+    EXPECT_EQ(kind("glasses"), "") << "a whole word";
+    EXPECT_EQ(kind("glass\xC3\xA9"), "") << "a letter beyond ASCII goes on with the word";
+    EXPECT_EQ(kind("glass-mirror-glass"), "refract reflect") << "they disagree";
+    EXPECT_EQ(kind("project"), "");
+    EXPECT_EQ(kind(""), "");
+    EXPECT_EQ(kind("lab-2-bump"), "bump");
     for (const app::Kind& one : app::kinds()) EXPECT_EQ(kind(one.name), one.name);
     EXPECT_TRUE(make("glass").says("kind refract because of 'glass' in the name"));
     EXPECT_TRUE(make("mirror --kind noise").says("kind noise\n"));
@@ -67,12 +72,34 @@ TEST_F(New, WordsOfTheNameChooseTheKind) {
     EXPECT_TRUE(fs::exists(folder.path("blank/blank.glib")));
 }
 
+TEST_F(New, NamesThatChooseNoKindAreAskedBack) {
+    const struct {
+        std::string name, error, help;
+    } cases[] = {
+        {"glass-noise", "words of the name 'glass-noise' disagree: 'glass' for refract, 'noise' for noise",
+         "choose one: snell new glass-noise --kind refract|noise\n"},
+        {"hologram", "no word of the name 'hologram' says which kind of scene it is",
+         "help: choose one: snell new hologram --kind blank|noise|bump|displace|image|geometry|reflect|refract\n"},
+        {"lab-bumb", "no word of the name",
+         "help: did you mean 'bump'? Otherwise choose one: snell new lab-bumb --kind"},
+    };
+    for (const auto& one : cases) {
+        const Outcome asked = make(one.name);
+        EXPECT_EQ(asked.status, 2) << asked.output;
+        EXPECT_TRUE(asked.says(one.error)) << asked.output;
+        EXPECT_TRUE(asked.says(one.help)) << asked.output;
+    }
+    EXPECT_EQ(folder.entries(), 0u);
+    EXPECT_TRUE(make("hologram --kind blank").says("kind blank\n"));
+    EXPECT_TRUE(make("bump").says("kind bump because of 'bump' in the name"));
+}
+
 TEST_F(New, UnusualNamesWork) {
     for (const std::string name :
          {"My first scene", "H\xC3\xBCtte", "it's", "a\"b", "v1.2", "\xE5\x9B\xBE", "x#y", "$HOME"}) {
         std::string quoted;
         for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-        const Outcome made = make("'" + quoted + "'");
+        const Outcome made = make("'" + quoted + "' --kind blank");
         ASSERT_EQ(made.status, 0) << made.output;
         const std::string line = made.output.substr(made.output.find("open it: snell ") + 15);
         const Outcome checked = run("cd " + folder.path() + " && " SNELL_BIN "/snell check " + line);
@@ -93,7 +120,7 @@ TEST_F(New, NothingIsOverwritten) {
     fs::create_symlink("nowhere", folder.path("link"));
     const std::size_t before = folder.entries();
     for (const char* name : {"glass", "glass/", "./glass", "empty", "file", "link"}) {
-        const Outcome outcome = make(name);
+        const Outcome outcome = make(std::string(name) + " --kind noise");
         EXPECT_EQ(outcome.status, 1) << name;
         EXPECT_TRUE(outcome.says("exists already")) << outcome.output;
         EXPECT_TRUE(outcome.says("-2'")) << outcome.output;
@@ -122,7 +149,7 @@ TEST_F(New, ImpossibleNamesAreErrorsAndLeaveNothing) {
         {"missing/glass", "there is no folder 'missing'", 1},
         {"file/glass", "there is no folder 'file'", 1},
         {"/proc/glass", "cannot make '/proc/glass'", 1},
-        {long_name, "File name too long", 1},
+        {long_name + "-glass", "File name too long", 1},
         {"a --kind glas", "glas", 2},
         {"a b", "b", 2},
     };

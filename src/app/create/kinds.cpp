@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr auto table = std::to_array<Kind>({
     {"blank", "a lit ball in one colour", "blank", ""},
     {"noise", "marble, by noise", "noise marble", ""},
+    {"bump", "a flat wall of bricks that light shows as solid", "bump bumps bumpy bricks", ""},
     {"displace", "waves, by a vertex shader that moves a flat square", "displace displacement waves", ""},
     {"image", "a picture and filters of its texels", "image picture photo", ""},
     {"geometry", "a ball that a geometry shader takes apart", "geometry triangles", ""},
@@ -39,16 +41,24 @@ std::vector<std::string> words_in(std::string_view name) {
 
 std::span<const Kind> kinds() { return table; }
 
-Choice kind_for(std::string_view name) {
-    Choice choice{nullptr, ""};
+std::vector<Choice> kinds_for(std::string_view name) {
+    std::vector<Choice> found;
     for (const std::string& word : words_in(name))
         for (const Kind& kind : table) {
             const std::vector<std::string_view> own = split(kind.words, ' ');
-            if (ranges::find(own, word) == own.end() || choice.kind == &kind) continue;
-            if (choice.kind) return {table.data(), ""};
-            choice = {&kind, word};
+            if (ranges::find(own, word) != own.end() && ranges::find(found, &kind, &Choice::kind) == found.end())
+                found.push_back({&kind, word});
         }
-    return choice.kind ? choice : Choice{table.data(), ""};
+    return found;
+}
+
+std::string_view nearest_word(std::string_view name) {
+    std::vector<std::string_view> known;
+    for (const Kind& kind : table)
+        for (const std::string_view word : split(kind.words, ' ')) known.push_back(word);
+    for (const std::string& word : words_in(name))
+        if (const std::string_view near = nearest(word, known); !near.empty()) return near;
+    return {};
 }
 
 std::vector<NewFile> files_of(const Kind& kind, std::string_view stem) {

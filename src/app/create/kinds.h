@@ -23,12 +23,15 @@ struct Kind {
 };
 std::span<const Kind> kinds();
 
-// The kind that a name asks for, and the word in it that does.
+// A kind that a name asks for, and the word in it that does.
 struct Choice {
     const Kind* kind;
-    std::string word;  // empty if none does, or several do that disagree: then the kind is the first one
+    std::string word;
 };
-Choice kind_for(std::string_view name);
+// One if the name is clear, none if no word of it is one of a kind's, or several that disagree.
+std::vector<Choice> kinds_for(std::string_view name);
+// The kind's word that is most like one of the name's; "" if none is near.
+std::string_view nearest_word(std::string_view name);
 
 // A file of a new folder: its path below the folder, and its bytes.
 struct NewFile {

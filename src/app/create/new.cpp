@@ -71,6 +71,23 @@ std::string write_folder(const fs::path& folder, const std::vector<NewFile>& fil
     return error;
 }
 
+// The name does not say which kind is meant.
+Exit ask_back(const std::vector<Choice>& chosen, const std::string& name) {
+    std::string kinds_of_name, help = fmt::format("choose one: snell new {} --kind ", file_word(name));
+    if (chosen.empty()) {
+        for (const Kind& kind : kinds()) help += fmt::format("{}{}", &kind == kinds().data() ? "" : "|", kind.name);
+        if (const std::string_view near = nearest_word(fs::path(name).filename().string()); !near.empty())
+            help = fmt::format("did you mean '{}'? Otherwise {}", near, help);
+        return complain(exit_usage, fmt::format("no word of the name '{}' says which kind of scene it is", name), help);
+    }
+    for (const Choice& choice : chosen) {
+        kinds_of_name +=
+            fmt::format("{}'{}' for {}", kinds_of_name.empty() ? "" : ", ", choice.word, choice.kind->name);
+        help += fmt::format("{}{}", &choice == chosen.data() ? "" : "|", choice.kind->name);
+    }
+    return complain(exit_usage, fmt::format("words of the name '{}' disagree: {}", name, kinds_of_name), help);
+}
+
 Exit make_new(const NewOptions& options) {
     std::string name = options.name.empty() ? options.kind.empty() ? "blank" : options.kind : options.name;
     while (name.size() > 1 && name.back() == '/') name.pop_back();
@@ -79,9 +96,11 @@ Exit make_new(const NewOptions& options) {
         return complain(exit_usage, objection.what, objection.help);
 
     const std::string stem = folder.filename().string();
-    Choice choice = kind_for(stem);
-    if (options.name.empty()) choice.word = {};  // no name was given that could choose
-    if (!options.kind.empty()) choice = {&*ranges::find(kinds(), options.kind, &Kind::name), ""};
+    std::vector<Choice> chosen = kinds_for(stem);
+    if (const std::string given = options.name.empty() ? name : options.kind; !given.empty())
+        chosen = {{&*ranges::find(kinds(), given, &Kind::name), ""}};
+    if (chosen.size() != 1) return ask_back(chosen, name);
+    const Choice& choice = chosen.front();
 
     std::error_code none;
     if (fs::exists(fs::symlink_status(folder, none)))
@@ -105,8 +124,8 @@ std::string notes() {
     std::string text = "Kinds, each with the words that choose it:\n";
     for (const Kind& kind : kinds()) text += fmt::format("  {:<9} {} ({})\n", kind.name, kind.summary, kind.words);
     return text +
-           "\nWithout --kind, the words of NAME choose: 'glass-1' is of kind refract. If none of them does, or\n"
-           "several disagree, the kind is blank.";
+           "\nWithout --kind, the words of NAME choose: 'glass-1' is of kind refract. A name of which no word\n"
+           "does, or several disagree, needs --kind. Without NAME and --kind, the kind is blank.";
 }
 
 }  // namespace
