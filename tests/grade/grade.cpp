@@ -437,7 +437,8 @@ TEST_F(Grade, ASubmissionThatIsNamedTwiceIsOne) {
     scene("s/ann");
     fs::create_directory_symlink("ann", at("s/link"));
     const Outcome made = grade("r.toml s/* s/ann s/ann/ s/../s/ann -o out");
-    EXPECT_TRUE(made.says("1 submission, 0 of them judged before")) << made.output;
+    EXPECT_TRUE(made.says("2 submissions, 0 of them judged before")) << made.output;
+    EXPECT_TRUE(made.says("it is a link to 'ann', which is judged as 'ann'")) << made.output;
     EXPECT_EQ(result("ann")["points"], 1) << made.output;
 }
 

@@ -76,6 +76,32 @@ TEST(Confined, AllowedFoldersAreReadToo) {
     EXPECT_FALSE(files.read(folder.path("shared/../shared2/b.bmp"), error));
 }
 
+TEST(Confined, AllowedFoldersAreASearchPath) {
+    const Scratch folder;
+    for (const char* file :
+         {"in/own.bmp", "shared/own.bmp", "shared/a/wall.bmp", "shared/b/wall.bmp", "shared/Pig.obj"})
+        folder.write(file, file);
+    Access access = inside(folder);
+    access.allow = {folder.path("shared")};
+    const Files files(folder.path("in"), access);
+    const auto found = [&](const std::string& name) {
+        const Resolved resolved = files.resolve(name, {"obj"});
+        const std::string path =
+            resolved.path.empty() ? "" : fs::path(resolved.path).lexically_relative(folder.path("")).string();
+        return path + (resolved.inexact ? " (inexact)" : "");
+    };
+    EXPECT_EQ(found("own.bmp"), "in/own.bmp");
+    EXPECT_EQ(found("wall.bmp"), "shared/a/wall.bmp") << "the first of them";
+    EXPECT_EQ(found("b/wall.bmp"), "shared/b/wall.bmp");
+    EXPECT_EQ(found("../../b/wall.bmp"), "shared/b/wall.bmp");
+    EXPECT_EQ(found("C:\\models\\Pig.obj"), "shared/Pig.obj");
+    EXPECT_EQ(found("pig"), "shared/Pig.obj (inexact)");
+    EXPECT_EQ(found("Pug.obj"), "");
+    EXPECT_EQ(files.resolve_beside(folder.path("shared/a/x.glib"), "own.bmp").path, folder.path("in/own.bmp"))
+        << "the scene's own files come first";
+    EXPECT_EQ(files.resolve_beside(folder.path("shared/a/x.glib"), "wall.bmp").path, folder.path("shared/a/wall.bmp"));
+}
+
 // A link that is turned around between looking and opening.
 TEST(Confined, ARaceIsLost) {
     const Scratch folder;

@@ -3,10 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <memory>
 
@@ -22,6 +20,7 @@
 #include "src/app/open/deadline.h"
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
+#include "src/app/open/interrupt.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/version.h"
 #include "src/app/open/write_copy.h"
@@ -33,14 +32,6 @@ namespace snell::app {
 namespace {
 
 using namespace snell::accuracy;
-
-std::atomic<bool> interrupted = false;
-
-// The first Ctrl-C ends the measurement, a second one the program.
-void on_interrupt(int) {
-    interrupted = true;
-    std::signal(SIGINT, SIG_DFL);
-}
 
 // Named ladders only, named knobs only, or everything that the scene has.
 std::vector<Sweep> sweeps_for(const AccuracyOptions& options, const Plan& plan, bool software,
@@ -176,7 +167,7 @@ public:
 
     void measure_all(Bench& bench, const Subject& subject, bool knobs, References& references, Report& report) {
         for (const Sweep& sweep : subject.sweeps) {
-            if (interrupted) return;
+            if (Interrupt::came()) return;
             if ((sweep.kind == SweepKind::knob) != knobs) continue;
             SweepResult result = measure(bench, sweep, next(sweep.rungs.size(), references));
             result.scene = subject.path;
@@ -214,7 +205,7 @@ private:
         measuring.times = !options_.no_time;
         measuring.stop = [this] {
             deadline_.begin("drawing a rung");
-            return interrupted.load();
+            return Interrupt::came();
         };
         measuring.report = [this, later = left - share](const Progress& progress) {
             deadline_.begin(fmt::format("'{}', {}", progress.sweep, progress.doing));
@@ -286,8 +277,7 @@ Exit accuracy(const AccuracyOptions& options) {
     const auto [width, height] = options.size.value_or(std::pair(window[0], window[1]));
     const BenchSettings settings{width, height, options.time, options.sets, options.specialise};
     Report report{.where = circumstances(options, caps, settings)};
-    interrupted = false;
-    const auto before = std::signal(SIGINT, on_interrupt);
+    const Interrupt noted;
     Measurement run(options, work, deadline);
     for (const auto& subject : subjects) {
         deadline.begin(fmt::format("compiling '{}'", subject->path));
@@ -298,14 +288,13 @@ Exit accuracy(const AccuracyOptions& options) {
         }
         References references = run.references();
         run.measure_all(bench, *subject, false, references, report);
-        if (seeks(options) && !interrupted) run.find(*subject, caps, settings, report);
+        if (seeks(options) && !Interrupt::came()) run.find(*subject, caps, settings, report);
         run.measure_all(bench, *subject, true, references, report);
-        if (asks_for_advice(options) && !interrupted)
+        if (asks_for_advice(options) && !Interrupt::came())
             errors = !run.advise(bench, *subject, caps, settings, references, report) || errors;
         report.where.query_over_wall = bench.query_over_wall();
         errors = note_problems(bench, *subject, report) || errors;
     }
-    std::signal(SIGINT, before);
     deadline.rest();
     report.where.load_after = system_load();
     errors = note_nothing_drawn(report) || errors;

@@ -22,7 +22,7 @@ constexpr double least_gigabytes = .3;  // measured with llvmpipe: with less, it
 
 struct GradeCommand {
     GradeOptions grade;
-    bool make_new = false, quiet = false;
+    bool make_new = false;
 };
 
 void print_grades(const Grades& grades) {
@@ -58,7 +58,8 @@ Exit run_grade(const GradeCommand& command) {
     const Exit status = grade(options, grades);
     if (status != exit_fine) return status;
     warn_of_reference(grades);
-    if (!command.quiet) print_grades(grades);
+    if (!grades.left_out.empty()) fmt::print(stderr, "snell: not submissions: {}\n", fmt::join(grades.left_out, ", "));
+    if (!options.quiet) print_grades(grades);
     std::size_t kept = 0;
     for (const GradedSubmission& graded : grades.all) kept += graded.kept;
     const std::string count = fmt::format("{} submission{}", grades.all.size(), grades.all.size() == 1 ? "" : "s");
@@ -96,9 +97,12 @@ Run add_grade_command(CLI::App& command) {
         ->check(check_finite_number)
         ->check(CLI::Range(0., 1e6))
         ->check(check_memory);
+    add_limits(command, grade.limits);
     command.add_flag("--again", grade.again, "judge everything again, even if nothing has changed");
-    command.add_flag("-q,--quiet", options->quiet, "print no line for each submission");
-    command.footer("What was judged is kept in the folder of the report: a second run judges only what has changed.");
+    command.add_flag("-q,--quiet", grade.quiet, "print no line for each submission");
+    command.footer(
+        "What was judged is kept in the folder of the report, also after Ctrl-C: a second run judges only what has\n"
+        "changed or was not judged.");
     return [options] { return run_grade(*options); };
 }
 

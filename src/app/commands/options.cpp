@@ -96,25 +96,30 @@ CLI::Option* add_size(CLI::App& command, Size& size, const std::string& text) {
         ->check(check_size);
 }
 
-void add_access(CLI::App& command, Access& access) {
+void add_limits(CLI::App& command, Limits& limits) {
     command
         .add_option_function<std::vector<std::string>>(
             "--limit",
-            [&access](const std::vector<std::string>& values) {
+            [&limits](const std::vector<std::string>& values) {
                 std::string checked;
-                for (const std::string& value : values) set_limit(access.limits, value, checked);
+                for (const std::string& value : values) set_limit(limits, value, checked);
             },
             "change a limit on what a scene may use; may be repeated")
         ->expected(1)
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->check(check_limit);
+}
+
+void add_access(CLI::App& command, Access& access) {
+    add_limits(command, access.limits);
     command
         .add_option_function<std::string>(
             "--confine", [&access](const std::string& folder) { access.confine = folder; },
             "read nothing outside of this folder")
         ->check(CLI::ExistingDirectory);
-    add_repeated(command, "--allow", access.allow, "with --confine or --grade: read this folder, too; may be repeated")
+    add_repeated(command, "--allow", access.allow,
+                 "with --confine or --grade: read this folder, too, where files are found by name; may be repeated")
         ->check(CLI::ExistingDirectory);
     // For editors, whose texts are not written yet (src/app/lsp).
     command

@@ -22,6 +22,8 @@ std::string check_file_name(const std::string& text);
 CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                           const std::string& text);
 CLI::Option* add_size(CLI::App& command, Size& size, const std::string& text);
+// --limit: how much a scene may take.
+void add_limits(CLI::App& command, Limits& limits);
 // --limit, --confine and --allow: what a scene may read, and how much.
 void add_access(CLI::App& command, Access& access);
 void add_grade(CLI::App& command, bool& grade);

@@ -164,6 +164,27 @@ Judged judge_counters(const RubricItem& item, const Counters& counters) {
     return {wrong == 0 ? item.points : 0, wrong == 0, joined(told)};
 }
 
+std::set<std::string> uniforms_of(const Scene& scene, const Rubric& rubric) {
+    std::set<std::string> asked, found;
+    for (const RubricItem& item : rubric.items)
+        for (const RubricItem* part : item.parts())
+            for (const NeededUniform& needed : part->uniforms) asked.insert(needed.name);
+    for (const Shown& shown : rubric.pictures)
+        for (const std::string& set : shown.sets) asked.insert(set.substr(0, set.find('=')));
+    const auto sets = [&scene](const std::string& name) {
+        return ranges::any_of(scene.programs, [&](const Program& program) {
+            return ranges::find(program.uniforms, name, &UniformValue::name) != program.uniforms.end();
+        });
+    };
+    const auto has = [&](const std::string& name) {
+        const auto aliases = rubric.aliases.find(name);
+        return sets(name) || (aliases != rubric.aliases.end() && ranges::any_of(aliases->second, sets));
+    };
+    for (const std::string& name : asked)
+        if (has(name) || has(name.substr(name.find('.') + 1))) found.insert(name);  // behind a program's name
+    return found;
+}
+
 std::string with_aliases(const std::string& assignment, const Rubric& rubric, const Document& document) {
     const std::size_t equals = std::min(assignment.find('='), assignment.size());
     const std::string name = assignment.substr(0, equals);

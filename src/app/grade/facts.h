@@ -17,6 +17,9 @@ UsedCommands used_commands(const std::string& scene, const Access& access);
 Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document, const UsedCommands& commands);
 Judged judge_counters(const RubricItem& item, const Counters& counters);
 
+// The uniforms that the rubric's items name, and that the scene's text sets.
+std::set<std::string> uniforms_of(const Scene& scene, const Rubric& rubric);
+
 // The assignment with the names that the scene has in place of the rubric's, where the rubric lists them as aliases.
 std::string with_aliases(const std::string& assignment, const Rubric& rubric, const Document& document);
 

@@ -1,22 +1,38 @@
 // Finds the scene of a submission, which may be deep in folders, or in archives.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace snell::app {
 
+// Which scene is meant.
+struct WantedScene {
+    std::string pattern;    // of the file name, with * and ?, without regard to case; "": *.glib
+    std::string preferred;  // a file name
+    std::string named;      // the scene's own path in the folder, or the end of it; "": not known
+    // Tells which of the rubric's uniforms a scene has; may be null.
+    std::function<std::set<std::string>(const std::string& path)> uniforms = nullptr;
+};
+
 struct FoundScene {
     std::string scene;  // path relative to the folder; "" if there is an error
     std::string error;
-    bool several = false;               // it is not clear which one is meant
+    std::string reason;                 // why it is this one, if that is not plain
+    std::vector<std::string> several;   // paths of scenes, if it is not clear which one is meant
     std::vector<std::string> archives;  // paths of archives in the folder, if it has no scene
 };
 
-// `pattern` is a file name with * and ?, without regard to case; "" stands for *.glib. Of several scenes, those with
-// the name `preferred` count, then those in the fewest folders; then there must be one. Links, hidden files and those
-// of macOS are left out.
-FoundScene find_scene(const std::string& folder, const std::string& pattern, const std::string& preferred);
+// If no scene is named: of several, those without any of the rubric's uniforms are left out if others have some. Then
+// those with the preferred name count, then those in the fewest folders, then the one with the most of the uniforms.
+// Links, hidden files and those of the system are left out.
+FoundScene find_scene(const std::string& folder, const WantedScene& wanted);
+
+// Whether a name is that of a hidden file, or of one that systems and programs write by themselves.
+bool is_hidden(std::string_view name);
 
 // Whether a file name fits a pattern with * and ?, without regard to case.
 bool fits_pattern(std::string_view name, std::string_view pattern);

@@ -1,17 +1,20 @@
 #include "src/app/grade/grade.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/grade/find_scene.h"
 #include "src/app/grade/judge.h"
 #include "src/app/grade/why_ended.h"
 #include "src/app/open/complain.h"
+#include "src/app/open/interrupt.h"
+#include "src/app/open/progress.h"
 #include "src/content/image/open_module.h"
 #include "src/content/workers.h"
 
@@ -41,6 +44,18 @@ void warn_of_lists(const Rubric& rubric, const std::vector<Submission>& submissi
                                utf8::printable(name));
 }
 
+// A line below [scenes] whose name is misspelt would do nothing.
+void warn_of_scenes(const Rubric& rubric, const std::vector<Submission>& submissions) {
+    std::vector<std::string_view> names;
+    for (const Submission& submission : submissions) names.push_back(submission.name);
+    for (const auto& [name, scene] : rubric.scenes) {
+        if (ranges::find(names, std::string_view(name)) != names.end()) continue;
+        const std::string_view near = nearest(name, names);
+        fmt::print(stderr, "snell: warning: the rubric's [scenes] names '{}', but there is no such submission{}\n",
+                   utf8::printable(name), near.empty() ? "" : fmt::format("\n   help: did you mean '{}'?", near));
+    }
+}
+
 // Submissions and what they are judged with, and where the results go.
 class Grading {
 public:
@@ -49,7 +64,10 @@ public:
 
     Exit run() {
         if (!ready()) return exit_input;
-        const std::string common = common_key(grades_.rubric, fmt::format("{} GB", options_.gigabytes));
+        const Interrupt noted;
+        std::string asked = fmt::format("{} GB", options_.gigabytes);
+        for (const LimitFacts& limit : limit_table()) asked += fmt::format(" {}", options_.limits.*limit.value);
+        const std::string common = common_key(grades_.rubric, asked);
         if (!judge_reference(common)) return exit_graphics;
         std::vector<std::size_t> open;
         for (std::size_t i = 0; i < grades_.all.size(); ++i) {
@@ -58,13 +76,42 @@ public:
             graded.record = read_record(folder_of(graded.submission), grades_.rubric);
             graded.kept = !options_.again && graded.record.key == key;
             graded.record.key = key;
-            if (!graded.kept) open.push_back(i);
+            if (graded.kept) continue;
+            if (graded.submission.problem.empty())
+                open.push_back(i);
+            else
+                keep_problem(graded);
         }
-        return judge_all(open) ? exit_fine : exit_graphics;
+        const bool graphics = judge_all(open);
+        if (Interrupt::came()) end_interrupted(open.size());
+        return graphics ? exit_fine : exit_graphics;
     }
 
 private:
     std::string folder_of(const Submission& submission) const { return student_folder(output_.string(), submission); }
+
+    [[noreturn]] void end_interrupted(std::size_t open) const {
+        std::error_code error;
+        fs::remove_all(output_ / ".unpacked", error);
+        fmt::print(stderr,
+                   "snell: interrupted: {} of {} submissions are judged and kept in '{}'; the same command judges the "
+                   "rest\n",
+                   grades_.all.size() - open + judged_, grades_.all.size(), utf8::printable(options_.output));
+        Interrupt::end();
+    }
+
+    // In a line of the terminal; where there is none, in at most ten lines, and one if nothing was printed for long.
+    void show_progress(std::size_t of) {
+        using Clock = std::chrono::steady_clock;
+        if (progress_.on_terminal())
+            return progress_.show(fmt::format("judging: {} of {}", judged_, of),
+                                  static_cast<double>(judged_) / static_cast<double>(of));
+        const std::size_t part = of < 20 ? 0 : 10 * judged_ / of;
+        if (options_.quiet || (part <= told_ && Clock::now() < next_)) return;
+        told_ = part;
+        next_ = Clock::now() + std::chrono::seconds(10);
+        fmt::print(stderr, "snell: judged: {} of {} submissions\n", judged_, of);
+    }
 
     bool ready() {
         std::error_code error;
@@ -81,16 +128,32 @@ private:
     // What a process has written so far does not count as judged, not even if this process is killed.
     static std::string unfinished(const std::string& key) { return "unfinished " + key; }
 
+    // There is nothing to judge, but a row in the report.
+    void keep_problem(GradedSubmission& graded) const {
+        const std::string folder = folder_of(graded.submission), key = graded.record.key;
+        std::error_code error;
+        fs::create_directories(folder, error);
+        remove_judged(folder);
+        graded.record = unjudged(grades_.rubric, graded.submission.problem);
+        graded.record.key = key;
+        graded.record.submission = graded.submission.id;
+        write_record(folder, graded.record);
+    }
+
     ToJudge work_on(const std::string& key, const std::string& name, const std::string& path, const std::string& folder,
                     const std::string& reference) const {
+        const auto& scenes = grades_.rubric.scenes;
+        const auto named = scenes.find(name);
         return {&grades_.rubric,
                 unfinished(key),
                 name,
+                named == scenes.end() ? "" : named->second,
                 path,
                 folder,
                 (output_ / ".unpacked" / fs::path(folder).filename()).string(),
                 reference,
-                grades_.reference ? grades_.reference->milliseconds : 0};
+                grades_.reference ? grades_.reference->milliseconds : 0,
+                options_.limits};
     }
 
     // The whole time of a submission. The process itself keeps that of each step: it reads, draws each picture up to
@@ -101,7 +164,7 @@ private:
     }
 
     ProcessLimits limits(std::size_t jobs) const {
-        return {jobs, most_seconds(), static_cast<std::uint64_t>(options_.gigabytes * 1e9)};
+        return {jobs, most_seconds(), static_cast<std::uint64_t>(options_.gigabytes * 1e9), Interrupt::came};
     }
 
     bool judge_reference(const std::string& common) {
@@ -144,8 +207,6 @@ private:
         const std::size_t jobs = options_.jobs > 0 ? options_.jobs : content::cores();
         if (open.size() > jobs) content::open_image_module();
         bool graphics = true;
-        std::size_t ready = 0;
-        const bool shows = isatty(STDERR_FILENO) != 0;
         run_apart(
             open.size(), limits(jobs),
             [&](std::size_t k) {
@@ -166,9 +227,10 @@ private:
                 graded.record = result_of(ended, folder, graded.record.key, graded.submission.id);
                 std::error_code error;
                 fs::remove_all(output_ / ".unpacked" / fs::path(folder).filename(), error);
-                if (shows) fmt::print(stderr, "\r{} of {}", ++ready, open.size());
+                ++judged_;
+                show_progress(open.size());
             });
-        if (shows) fmt::print(stderr, "\r\x1b[K");
+        progress_.clear();
         std::error_code error;
         fs::remove(output_ / ".unpacked", error);
         return graphics || complain("no graphics: nothing can be drawn");
@@ -177,9 +239,23 @@ private:
     const GradeOptions& options_;
     Grades& grades_;
     fs::path output_;
+    ProgressLine progress_;
+    std::size_t judged_ = 0;  // submissions of this run
+    std::size_t told_ = 0;    // tenths of them that were printed
+    std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + std::chrono::seconds(10);
 };
 
 }  // namespace
+
+Limits limits_of_submissions() {
+    Limits limits;
+    limits.file_bytes = 64u << 20;
+    limits.texture_bytes = 512u << 20;
+    limits.texture_side = 8192;
+    limits.vertices = 5'000'000;
+    limits.diagnostics = 200;
+    return limits;
+}
 
 std::string student_folder(const std::string& output, const Submission& submission) {
     return (fs::path(output) / "students" / submission.folder).string();
@@ -191,10 +267,12 @@ Exit grade(const GradeOptions& options, Grades& grades) {
     auto rubric = rubric_of(options.rubric);
     if (!rubric) return exit_input;
     grades.rubric = std::move(*rubric);
-    const auto submissions = find_submissions(options.submissions, options.output, grades.rubric);
-    if (!submissions) return exit_usage;
-    warn_of_lists(grades.rubric, *submissions);
-    for (const Submission& submission : *submissions) grades.all.push_back({submission, {}, false});
+    auto found = find_submissions(options.submissions, options.output, grades.rubric);
+    if (!found) return exit_usage;
+    warn_of_lists(grades.rubric, found->all);
+    warn_of_scenes(grades.rubric, found->all);
+    for (const Submission& submission : found->all) grades.all.push_back({submission, {}, false});
+    grades.left_out = std::move(found->left_out);
     return Grading(options, grades).run();
 }
 

@@ -13,13 +13,18 @@
 
 namespace snell::app {
 
+// What no exercise needs is refused before it takes memory.
+Limits limits_of_submissions();
+
 struct GradeOptions {
     std::string rubric;
     std::vector<std::string> submissions;
     std::string output;    // the folder of the report
     std::size_t jobs = 0;  // processes at a time; 0: as many as there are cores
     double gigabytes = 4;  // of memory that judging a submission may take; 0: no limit
-    bool again = false;    // judges everything again, whatever is kept
+    Limits limits = limits_of_submissions();
+    bool again = false;  // judges everything again, whatever is kept
+    bool quiet = false;  // prints no progress if standard error is no terminal
 };
 
 struct GradedSubmission {
@@ -33,6 +38,7 @@ struct Grades {
     Rubric rubric;
     std::optional<Record> reference;
     std::vector<GradedSubmission> all;
+    std::vector<std::string> left_out;  // entries of the folder that are no submissions, each with the reason
 };
 
 // The folders in that of the report.

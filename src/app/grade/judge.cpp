@@ -48,17 +48,6 @@ bool needs_pictures(const RubricItem& item) {
     return item.judges(Kind::picture) || item.judges(Kind::counters) || item.judges(Kind::time);
 }
 
-// Limits for submissions: what no exercise needs is refused before it takes memory.
-Limits strict_limits() {
-    Limits limits;
-    limits.file_bytes = 64u << 20;
-    limits.texture_bytes = 512u << 20;
-    limits.texture_side = 8192;
-    limits.vertices = 5'000'000;
-    limits.diagnostics = 200;
-    return limits;
-}
-
 class Judging {
 public:
     explicit Judging(const ToJudge& work) : work_(work), rubric_(*work.rubric), deadline_(rubric_.timeout) {
@@ -110,17 +99,18 @@ private:
     bool enter() {
         std::error_code error;
         std::string folder = work_.path;
-        const std::string preferred = fs::path(rubric_.reference).filename().string();
+        access_.limits = work_.limits;
+        access_.allow = rubric_.shared;
         FoundScene found;
         if (fs::is_regular_file(work_.path, error) && is_archive(work_.path)) {
             folder = work_.unpacked;
             unpack_into(work_.path, folder);
-            found = find_scene(folder, rubric_.scene, preferred);
+            found = scene_in(folder);
         } else if (fs::is_regular_file(work_.path, error)) {
             folder = fs::path(work_.path).parent_path().string();
             found.scene = fs::path(work_.path).filename().string();
         } else {
-            found = find_scene(folder, rubric_.scene, preferred);
+            found = scene_in(folder);
         }
         // Learning platforms put an archive into a folder with the student's name.
         constexpr std::size_t most = 4;
@@ -130,17 +120,33 @@ private:
             folder = work_.unpacked;
             unpack_into(found.archives[i], (fs::path(folder) / std::to_string(i)).string());
         }
-        if (!found.archives.empty()) found = find_scene(folder, rubric_.scene, preferred);
+        if (!found.archives.empty()) found = scene_in(folder);
+        if (!found.several.empty())
+            found.error += fmt::format("; the rubric settles it by a line below [scenes]: \"{}\" = \"{}\"", work_.name,
+                                       utf8::printable(found.several.front()));
         if (!found.error.empty()) return fail(broken_.empty() ? found.error : broken_ + "; " + found.error);
+        if (!found.reason.empty()) record_.notes.push_back(found.reason);
         if (!broken_.empty()) record_.notes.push_back(broken_);
         fs::current_path(folder, error);
         if (error) return fail("cannot read its folder: " + error.message());
         record_.scene = found.scene;
-        access_.limits = strict_limits();
         access_.confine = fs::current_path(error).string();
         if (work_.path == rubric_.reference) access_.confine.reset();  // the lecturer's own
-        access_.allow = rubric_.shared;
         return true;
+    }
+
+    FoundScene scene_in(const std::string& folder) const {
+        const auto uniforms = [&](const std::string& path) {
+            Access access = access_;
+            access.confine = folder;
+            Files files(scene_folder(path), access);
+            Sources sources;
+            Diagnostics unheard(access.limits);
+            const auto parsed = parse_document(path, files, sources, unheard);
+            return parsed ? uniforms_of(parsed->scene, rubric_) : std::set<std::string>();
+        };
+        return find_scene(folder,
+                          {rubric_.scene, fs::path(rubric_.reference).filename().string(), work_.scene, uniforms});
     }
 
     bool open() {
@@ -221,7 +227,7 @@ private:
         }
         View view;
         parse_view(shown.view, view);
-        deadline_.begin(fmt::format("the picture '{}'", shown.label()));
+        deadline_.begin(shown_as(shown));
         Frame frame{shown.time, view, controls};
         const content::Image image = image_of(frame, target);
         if (index == 0) counters_ = document_->runtime->counters();
@@ -229,7 +235,7 @@ private:
         record_.drawn[index] = fmt::format("picture-{}.png", index);
         write(record_.drawn[index], content::encode_png(image));
         frame.standing = true;
-        deadline_.begin(fmt::format("looking for NaN in the picture '{}'", shown.label()));
+        deadline_.begin("looking for NaN in " + shown_as(shown));
         find_covered(index, frame, target);
     }
 

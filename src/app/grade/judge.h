@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "parser/text/limits.h"
 #include "src/app/grade/record.h"
 #include "src/app/grade/rubric/rubric.h"
 #include "src/app/open/exit_status.h"
@@ -13,11 +14,13 @@ struct ToJudge {
     const Rubric* rubric = nullptr;
     std::string key;
     std::string name;       // of the submission; "" for the reference
+    std::string scene;      // the scene that is meant, as the rubric's [scenes] names it; "": it is looked for
     std::string path;       // the submission's folder, archive or scene: absolute
     std::string output;     // an existing folder, for record and pictures: absolute
     std::string unpacked;   // where archives are unpacked: absolute; made if it is needed
     std::string reference;  // the folder of the reference's record and pictures; "": there is none, or this is it
     double reference_milliseconds = 0;  // of the reference's frame
+    Limits limits;
 };
 
 // Writes a record into `output`, more than once: what is known so far, as if judging ended there. Ends the process if

@@ -50,12 +50,16 @@ reference = {reference}    # your own scene; the path is relative to this file
 size = "320x320"           # of all pictures, in pixels
 timeout = 10               # seconds for reading a scene, and for each picture
 # scene = "project*.glib"  # name of the submissions' scenes; without this line, any *.glib
-# shared = ["textures"]    # folders that every submission may read, besides its own
+# shared = ["textures"]    # handed-out files, which every submission finds by their names
 # template = ["handout"]   # what was handed out: it does not count as similarity
 
 # Other names under which a submission may have a uniform. Nothing is guessed.
 [aliases]
 # uKd = ["Kd", "uDiffuse"]
+
+# Which scene of a submission is meant, where that is not clear.
+[scenes]
+# "Ann Lee" = "final/project.glib"
 
 # Each [[item]] is worth its points, and judges one thing. With `deduct` in place of `points` it costs them if it fails.
 [[item]]

@@ -94,6 +94,14 @@ void run_apart(std::size_t count, const ProcessLimits& limits, const std::functi
             done(ended.index, told);
     };
     while (!waiting.empty() || !running.empty()) {
+        if (limits.stop && limits.stop()) {
+            for (const Running& one : running) {
+                kill(one.process, SIGKILL);
+                waitpid(one.process, nullptr, 0);
+                close(one.output);
+            }
+            return;
+        }
         while (!waiting.empty() && running.size() < std::max<std::size_t>(limits.at_once, 1)) {
             const auto [index, again] = waiting.front();
             waiting.pop_front();

@@ -18,8 +18,9 @@ struct EndedProcess {
 
 struct ProcessLimits {
     std::size_t at_once = 1;
-    double seconds = 10;      // a process that runs longer is ended
-    std::uint64_t bytes = 0;  // of memory that it may ask for beyond that of this process; 0: no limit
+    double seconds = 10;       // a process that runs longer is ended
+    std::uint64_t bytes = 0;   // of memory that it may ask for beyond that of this process; 0: no limit
+    bool (*stop)() = nullptr;  // ends all of them, without a call of `done`, once it is true
 };
 
 // Calls `work(k)` for 0 ≤ k < count in copies of this process, whose return value is the copy's exit status, and `done`

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <array>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -33,47 +35,119 @@ namespace fs = std::filesystem;
 
 bool is_scene(const fs::path& path) { return has_extension(path.native(), "glib"); }
 
-bool may_be_submission(const fs::path& path) {
-    std::error_code error;
+// What a scene may read, and what explains it: such a file next to the only scene belongs to it.
+bool goes_with_scenes(const fs::path& path) {
+    constexpr std::array others{"obj", "mtl", "shp", "shx", "dbf", "inc", "txt", "md"};
     const std::string name = path.filename().string();
-    if (name.starts_with('.') || name == "__MACOSX") return false;
-    return fs::is_directory(path, error) ||
-           (fs::is_regular_file(path, error) && (is_scene(path) || is_archive(path.string())));
+    const auto ends = [&name](std::string_view extension) { return has_extension(name, extension); };
+    return is_shader_name(name) || ranges::any_of(image_extensions(), ends) || ranges::any_of(others, ends) ||
+           !path.has_extension();
 }
 
-bool holds_work(const fs::path& path, const Rubric& rubric) {
-    std::error_code error;
-    if (!fs::is_directory(path, error)) return is_archive(path.string());
-    const FoundScene found = find_scene(path.string(), rubric.scene, {});
-    return !found.scene.empty() || !found.archives.empty() || found.several;
+// True if the text has the name of the file, or of the folder with a file in it, and not as a part of a longer one.
+// Both are in lower case.
+bool mentions(std::string_view text, std::string_view name, bool folder) {
+    const auto of_a_name = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
+    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        const char next = at + name.size() < text.size() ? text[at + name.size()] : ' ';
+        if ((at == 0 || !of_a_name(text[at - 1])) && (folder ? next == '/' || next == '\\' : !of_a_name(next)))
+            return true;
+    }
+    return false;
 }
 
-// What a folder holds if it is not a submission itself. Where scenes are next to folders, the choice is not certain,
-// so it is printed.
-std::vector<fs::path> submissions_of(const fs::path& folder, const Rubric& rubric) {
+// What is in a folder next to its scenes.
+class Neighbours {
+public:
+    Neighbours(const fs::path& folder, const Rubric& rubric, const fs::path& report) {
+        std::error_code error;
+        std::set<fs::path> own{fs::weakly_canonical(rubric.path, error)};
+        own.insert(rubric.shared.begin(), rubric.shared.end());
+        own.insert(rubric.templates.begin(), rubric.templates.end());
+        std::vector<fs::path> paths;
+        for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+            paths.push_back(entry->path());
+        ranges::sort(paths);
+        for (const fs::path& path : paths) {
+            const bool file = fs::is_regular_file(fs::symlink_status(path, error));
+            const fs::path place = fs::weakly_canonical(path, error);
+            if (place == report) continue;
+            if (own.contains(place))
+                leave_out(path, "named by the rubric");
+            else if (is_hidden(path.filename().string()))
+                leave_out(path, "hidden, or of the system");
+            else
+                (is_scene(path) && file ? scenes : others).push_back(path);
+        }
+        find_parts();
+    }
+
+    std::vector<fs::path> scenes, others;
+    std::vector<std::string> left_out;
+
+    // Whether everything belongs to one scene.
+    bool one_submission() const {
+        return scenes.size() == 1 && ranges::all_of(others, [](const fs::path& path) {
+                   std::error_code error;
+                   return goes_with_scenes(path) && fs::is_regular_file(fs::symlink_status(path, error));
+               });
+    }
+
+private:
+    void leave_out(const fs::path& path, std::string_view why) {
+        left_out.push_back(fmt::format("'{}' ({})", utf8::printable(path.filename().string()), why));
+    }
+
+    // Files and folders that a scene names, or a shader that a scene names, are theirs.
+    void find_parts() {
+        constexpr std::uint64_t most = 1 << 20;
+        std::vector<fs::path> texts = scenes;
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            std::string wrong;
+            const std::string text =
+                lowered(content::read_regular_file(texts[i].string(), most, nullptr, wrong).value_or(""));
+            std::erase_if(others, [&](const fs::path& path) {
+                std::error_code error;
+                const fs::file_status status = fs::symlink_status(path, error);
+                const std::string name = lowered(path.filename().string());
+                const bool is_folder = fs::is_directory(status);
+                if (!mentions(text, name, is_folder) || (is_folder && holds_work(path))) return false;
+                if (!is_folder && (!fs::is_regular_file(status) || is_archive(name))) return false;
+                if (is_shader_name(name)) texts.push_back(path);
+                leave_out(path, fmt::format("named by '{}'", utf8::printable(texts[i].filename().string())));
+                return true;
+            });
+        }
+    }
+
+    // A scene or an archive is somebody's work.
+    static bool holds_work(const fs::path& folder) {
+        const FoundScene found = find_scene(folder.string(), {});
+        return !found.scene.empty() || !found.several.empty() || !found.archives.empty();
+    }
+};
+
+// Why an entry cannot be judged, as far as it is known without reading it; or "". `known`: submissions by their paths.
+std::string problem_of(const fs::path& path, const std::map<std::string, std::string>& known) {
     std::error_code error;
-    std::vector<fs::path> scenes, others, working;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (may_be_submission(entry->path()))
-            (is_scene(entry->path()) && !fs::is_directory(entry->path(), error) ? scenes : others)
-                .push_back(entry->path());
-    if (scenes.empty()) return others;
-    for (const fs::path& other : others)
-        if (holds_work(other, rubric)) working.push_back(other);
-    const std::string preferred = fs::path(rubric.reference).filename().string();
-    if (working.empty() && !find_scene(folder.string(), rubric.scene, preferred).scene.empty()) return {folder};
-    fmt::print(stderr,
-               "snell: warning: '{}' holds {} scene{} and {} folders or archives with scenes: each is a submission "
-               "[several-submissions]\n   help: to grade one scene with the files next to it, name the scene\n",
-               utf8::printable(folder.string()), scenes.size(), scenes.size() == 1 ? "" : "s", working.size());
-    working.insert(working.end(), scenes.begin(), scenes.end());
-    return working;
+    if (fs::is_symlink(path, error)) {
+        const std::string target = utf8::printable(fs::read_symlink(path, error).string());
+        const auto same = known.find(fs::weakly_canonical(path, error).string());
+        if (same != known.end())
+            return fmt::format("it is a link to '{}', which is judged as '{}'", target, same->second);
+        if (!fs::exists(path, error)) return fmt::format("it is a link to '{}', which is not there", target);
+    }
+    if (fs::is_directory(path, error)) return {};
+    if (!fs::is_regular_file(path, error) || !(is_scene(path) || is_archive(path.string())))
+        return "it is neither a folder, nor an archive, nor a scene (.glib)";
+    return fs::file_size(path, error) == 0 && !error ? "it is an empty file" : "";
 }
 
 std::string shown_name(const fs::path& path) {
     std::error_code error;
     const fs::path last = path.has_filename() ? path.filename() : path.parent_path().filename();
-    if (fs::is_directory(path, error)) return utf8::printable(last.string());
+    if (fs::is_directory(path, error) || !(is_scene(last) || is_archive(path.string())))
+        return utf8::printable(last.string());
     const bool tar = is_archive(path.string()) && same_word(last.stem().extension().string(), ".tar");
     return utf8::printable((tar ? last.stem() : last).stem().string());
 }
@@ -145,41 +219,62 @@ std::string build_of_program() {
 
 }  // namespace
 
-std::optional<std::vector<Submission>> find_submissions(const std::vector<std::string>& arguments,
-                                                        const std::string& output, const Rubric& rubric) {
-    std::vector<fs::path> paths;
+std::optional<Submissions> find_submissions(const std::vector<std::string>& arguments, const std::string& output,
+                                            const Rubric& rubric) {
     std::error_code error;
+    const fs::path report = fs::weakly_canonical(fs::absolute(output, error), error);
+    std::set<fs::path> paths;  // by the names that were given, without what is before them: one named twice is one
     for (const std::string& argument : arguments) {
-        if (!fs::exists(argument, error)) {
+        if (!fs::exists(fs::symlink_status(argument, error))) {
             complain(fmt::format("there is no submission '{}'", argument));
             return std::nullopt;
         }
-        paths.emplace_back(argument);
+        fs::path path = fs::absolute(argument, error).lexically_normal();
+        if (!path.has_filename()) path = path.parent_path();
+        paths.insert(fs::weakly_canonical(path.parent_path(), error) / path.filename());
     }
-    if (paths.size() == 1 && fs::is_directory(paths.front(), error)) paths = submissions_of(paths.front(), rubric);
-    std::vector<Submission> submissions;
-    const fs::path report = fs::weakly_canonical(fs::absolute(output, error), error);
-    for (const fs::path& path : paths) {
-        const fs::path absolute = fs::weakly_canonical(fs::absolute(path, error), error);
-        if (absolute == report) continue;
-        submissions.push_back({absolute.string(), shown_name(path), {}, sha256(absolute.string()).substr(0, 6)});
+    Submissions found;
+    if (arguments.size() == 1 && fs::is_directory(arguments.front(), error)) {
+        const fs::path folder = fs::weakly_canonical(*paths.begin(), error);
+        Neighbours inside(folder, rubric, report);
+        if (!inside.one_submission() && !rubric.scenes.contains(shown_name(folder))) {
+            if (!inside.scenes.empty())
+                fmt::print(stderr,
+                           "snell: warning: '{}' holds {} scene{} next to other entries: each is a submission "
+                           "[several-submissions]\n   help: to grade one scene with the files next to it, name the "
+                           "scene\n",
+                           utf8::printable(arguments.front()), inside.scenes.size(),
+                           inside.scenes.size() == 1 ? "" : "s");
+            found.left_out = std::move(inside.left_out);
+            paths = {inside.scenes.begin(), inside.scenes.end()};
+            paths.insert(inside.others.begin(), inside.others.end());
+        }
     }
-    if (submissions.empty()) {
+    std::erase_if(paths, [&](const fs::path& path) { return fs::weakly_canonical(path, error) == report; });
+    std::map<std::string, std::string> known;
+    for (const bool links : {false, true})
+        for (const fs::path& path : paths) {
+            if (fs::is_symlink(path, error) != links) continue;
+            const std::string problem = problem_of(path, known), name = shown_name(path);
+            const std::string judged = problem.empty() ? fs::weakly_canonical(path, error).string() : path.string();
+            known.emplace(judged, name);
+            found.all.push_back({judged, name, {}, sha256(judged).substr(0, 6), problem});
+        }
+    if (found.all.empty()) {
         complain("there is nothing to grade", "name folders, archives or scenes, or one folder that holds them");
         return std::nullopt;
     }
-    std::sort(submissions.begin(), submissions.end(), [](const Submission& a, const Submission& b) {
+    std::sort(found.all.begin(), found.all.end(), [](const Submission& a, const Submission& b) {
         return std::tie(a.name, a.path) < std::tie(b.name, b.path);
     });
-    std::set<std::string> known;  // one that is named twice, or by a link, too, is one
-    std::erase_if(submissions, [&known](const Submission& one) { return !known.insert(one.path).second; });
-    name_folders(submissions, report / "students");
-    return submissions;
+    name_folders(found.all, report / "students");
+    return found;
 }
 
 std::string key_of(const Submission& submission, const std::string& rest) {
-    std::string all = rest;
+    std::string all = rest + submission.problem;
     const fs::path path = submission.path;
+    if (!submission.problem.empty()) return sha256(all);
     if (is_scene(path)) all += path.filename().string() + '\0';
     add_files(is_scene(path) && fs::is_regular_file(path) ? path.parent_path() : path, all);
     return sha256(all);

@@ -48,11 +48,11 @@ public:
     void begin() { patience_.begin(); }
     void show(std::string_view words, double share);
     void clear();
+    static bool on_terminal();
 
 private:
     void show(const LoadProgress& progress);
     void print(std::string line);
-    static bool on_terminal();
 
     bool terminal_ = on_terminal();
     Patience patience_;

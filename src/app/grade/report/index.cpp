@@ -120,7 +120,11 @@ std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs
                         true);
     body += heading("Errors", "", true) + heading("Warnings", "", true) + "</tr></thead><tbody>\n";
     for (const GradedSubmission& graded : grades.all) body += row_of_table(rubric, graded);
-    body += "</tbody></table></div>\n" + alike_table(grades, pairs);
+    body += "</tbody></table></div>\n";
+    if (!grades.left_out.empty())
+        body += fmt::format("<p>Not submissions: {}.</p>\n",
+                            shown_text(fmt::format("{}", fmt::join(grades.left_out, ", "))));
+    body += alike_table(grades, pairs);
     return page_frame(title, body, sort_script);
 }
 

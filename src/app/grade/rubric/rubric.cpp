@@ -78,6 +78,12 @@ public:
             Table names(*aliases, diagnostics_);
             for (const auto& member : aliases->members) rubric_.aliases[member.name] = names.texts(member.name);
         }
+        if (const TomlValue* scenes = table.find("scenes", TomlKind::table))
+            for (const auto& [name, span, value] : scenes->members) {
+                rubric_.scenes[name] = value.text;
+                if (value.text.empty())
+                    wrong(value.span, fmt::format("'{}' is the scene of a submission, such as \"ball.glib\"", name));
+            }
         if (const TomlValue* items = table.find("item", TomlKind::list))
             for (const TomlValue& item : items->list) read_item(item, rubric_, diagnostics_);
         table.done();
@@ -173,6 +179,7 @@ const std::vector<std::string_view>& expect_names() {
 
 std::optional<Rubric> read_rubric(const std::string& path, Sources& sources, Diagnostics& diagnostics) {
     Rubric rubric;
+    rubric.path = path;
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
         diagnostics.error("rubric-unreadable", fmt::format("cannot read the rubric '{}'", utf8::printable(path)),

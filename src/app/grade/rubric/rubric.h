@@ -60,6 +60,7 @@ struct RubricItem {
 };
 
 struct Rubric {
+    std::string path;  // its own
     std::string title;
     std::string reference;                       // path of the lecturer's scene
     std::string scene;                           // pattern of the name of the submissions' scenes; "": see find_scene
@@ -67,6 +68,7 @@ struct Rubric {
     int width = 320, height = 320, samples = 1;
     double timeout = 10;  // in seconds, for reading a scene and for a picture
     std::map<std::string, std::vector<std::string>> aliases;
+    std::map<std::string, std::string> scenes;  // by name of the submission: which of its scenes is meant
     std::vector<RubricItem> items;
     std::size_t maps = 0;
     std::vector<Shown> pictures;  // the first one has the scene's own values
