@@ -24,10 +24,6 @@ bool exact_enough(const SweepResult& sweep, const RungResult& rung, const Wish& 
 bool quick_enough(const RungResult& rung, const Wish& wish) {
     return !wish.milliseconds || rung.high <= *wish.milliseconds;
 }
-// If the intervals overlap, which one is cheaper is chance; so it is if there is none, for lack of common rounds.
-bool cost_the_same(const RungResult& a, const RungResult& b) {
-    return !(a.ratio.low > b.ratio.high || b.ratio.low > a.ratio.high);
-}
 
 std::size_t combinations(const Scene& scene) {
     std::size_t product = 1;
@@ -183,8 +179,18 @@ std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish) {
         const double least = error(*ranges::min_element(good, {}, error));
         wanted = those(good, [&](std::size_t i) { return !(error(i) > least * as_exact); });
     }
-    const RungResult& cheapest = rung(*ranges::min_element(wanted, {}, cost));
-    return most_exact(those(wanted, [&](std::size_t i) { return cost_the_same(rung(i), cheapest); }));
+    // Of those that are not surely dearer than the cheapest, which one is cheaper is chance.
+    const std::size_t cheapest = *ranges::min_element(wanted, {}, cost);
+    return most_exact(
+        those(wanted, [&](std::size_t i) { return i == cheapest || sweep.costs.of(i, cheapest) != Cost::dearer; }));
+}
+
+std::optional<std::size_t> choose_surely(const SweepResult& sweep, const Wish& wish) {
+    const auto best = choose(sweep, wish);
+    const std::size_t now = sweep.sweep.current;
+    if (!best || wish.milliseconds || *best == now || !fulfils(sweep, sweep.rungs[now], wish)) return best;
+    if (sweep.rungs[now].rounds == 0) return std::nullopt;  // what anything saves is not known
+    return sweep.costs.of(*best, now) == Cost::cheaper ? best : now;
 }
 
 Counsel advise(Bench& bench, const Rungs& now, std::span<const Wish> wishes, const MeasureOptions& options) {

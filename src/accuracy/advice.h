@@ -25,6 +25,9 @@ struct Wish {
 // nearest; with both limits, the cheapest of those that are exact enough. Of equals, the one whose rungs are nearer to
 // the last ones. Nullopt if none was timed with a finite error, or nothing can be said.
 std::optional<std::size_t> choose(const SweepResult& sweep, const Wish& wish);
+// The same, but a wish for an error alone never gets a rung that is not surely cheaper than the current one, if that
+// fulfils it.
+std::optional<std::size_t> choose_surely(const SweepResult& sweep, const Wish& wish);
 // True if the rung of the sweep meets the wish's limits.
 bool fulfils(const SweepResult& sweep, const RungResult& rung, const Wish& wish);
 

@@ -1,13 +1,13 @@
 #include "src/accuracy/bench.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/clock.h"
 #include "src/accuracy/sample_mean.h"
 #include "src/gl/present.h"
+#include "src/glsl/read/lexer.h"
 #include "src/plan/used_files.h"
 #include "src/plan/values/controls.h"
 
@@ -15,33 +15,43 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr std::string_view output = "SNELL_OUTPUT";
 constexpr std::size_t most_stages = 8;  // of one sweep; memory may be too small for the textures of many more
 
-bool names(std::string_view text, std::string_view word) {
-    const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-        const bool begins = at == 0 || !letter(text[at - 1]);
-        const std::size_t end = at + word.size();
-        // FRESNEL and FRESNEL_exact mention the ladder FRESNEL.
-        if (begins && (end == text.size() || !letter(text[end]) || text[end] == '_')) return true;
+// The words by which a shader mentions a ladder: FRESNEL, FRESNEL_exact.
+std::vector<std::string> words_of(const Ladder& ladder) {
+    std::vector<std::string> words{ladder.name};
+    for (const std::string& rung : ladder.rungs) words.push_back(ladder.name + "_" + rung);
+    return words;
+}
+
+bool names_any(std::string_view text, const std::vector<std::string>& words) {
+    for (std::size_t at = glsl::skip_trivia(text, 0).end; at < text.size();) {
+        const glsl::Lexeme lexeme = glsl::lex(text, at);
+        if (ranges::find(words, lexeme.text) != words.end()) return true;
+        at = glsl::skip_trivia(text, at + std::max<std::size_t>(lexeme.text.size(), 1)).end;
     }
     return false;
 }
 
-bool any_stage_names(const PlannedProgram& program, const Sources& sources, const Files& files, std::string_view word) {
+bool any_stage_names(const PlannedProgram& program, const Sources& sources, const Files& files, const Ladder& ladder) {
     Files reader(files.folder(), files.access());
-    return ranges::any_of(shader_texts(program, sources, reader),
-                          [&](const ShaderText& shader) { return names(shader.text, word); });
+    return ranges::any_of(shader_texts(program, sources, reader), [words = words_of(ladder)](const ShaderText& shader) {
+        return names_any(shader.text, words);
+    });
 }
 
-// Adds a ladder for the kind of output before the scene's own, which every program then sees.
-Plan with_output(Plan plan) {
+// The kind of output, which every program then sees.
+Ladder output_ladder() {
     Ladder ladder;
-    ladder.name = output;
+    ladder.name = "SNELL_OUTPUT";
     ladder.rungs = {"color", "direction"};
     ladder.rung_spans.resize(2);
-    plan.scene.ladders.insert(plan.scene.ladders.begin(), std::move(ladder));
+    return ladder;
+}
+
+// Adds that ladder before the scene's own.
+Plan with_output(Plan plan) {
+    plan.scene.ladders.insert(plan.scene.ladders.begin(), output_ladder());
     for (Program& program : plan.scene.programs) ++program.ladders;
     plan.rungs.insert(plan.rungs.begin(), 0);
     return plan;
@@ -85,8 +95,8 @@ struct Bench::Stage {
 
 Bench::Bench(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, BenchSettings settings)
     : plan_(std::move(plan)), files_(&files), sources_(&sources), caps_(caps), settings_(std::move(settings)) {
-    directions_ = ranges::any_of(plan_.programs,
-                                 [&](const PlannedProgram& p) { return any_stage_names(p, sources, files, output); });
+    directions_ = ranges::any_of(
+        plan_.programs, [&](const PlannedProgram& p) { return any_stage_names(p, sources, files, output_ladder()); });
 }
 
 Bench::~Bench() = default;
@@ -94,9 +104,8 @@ Bench::~Bench() = default;
 std::vector<bool> Bench::draws_of(std::size_t ladder) const {
     std::vector<bool> own;
     for (const Draw& draw : plan_.scene.draws)
-        own.push_back(
-            draw.program != none && ladder < plan_.scene.programs[draw.program].ladders &&
-            any_stage_names(plan_.programs[draw.program], *sources_, *files_, plan_.scene.ladders[ladder].name));
+        own.push_back(draw.program != none && ladder < plan_.scene.programs[draw.program].ladders &&
+                      any_stage_names(plan_.programs[draw.program], *sources_, *files_, plan_.scene.ladders[ladder]));
     return own;
 }
 

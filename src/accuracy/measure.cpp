@@ -75,7 +75,7 @@ public:
     SweepResult run() {
         pictures();
         if (options_.times && !spent()) rounds();
-        conclude(result_, again_, options_.seed);
+        conclude(result_, again_);
         return std::move(result_);
     }
 
@@ -311,34 +311,37 @@ void judge_residual(SweepResult& result) {
         rung.below_residual = rung.drawn && result.residual && rung.own.light.rmse <= *result.residual;
 }
 
-void conclude_times(SweepResult& result, std::span<const double> base_again, std::uint64_t seed) {
+void conclude_times(SweepResult& result, std::span<const double> base_again) {
     const std::vector<double>& base = times_of(result.rungs[result.sweep.current], result.clock);
-    result.control = control(base, base_again, seed);
+    result.control = control(base, base_again);
     for (RungResult& rung : result.rungs) {
         const std::vector<double>& times = times_of(rung, result.clock);
         const std::vector<double> present = taken(times);
         rung.rounds = present.size();
         if (!present.empty()) {
-            const Interval interval = bootstrap_median(present, seed);
+            const Interval interval = median_interval(present);
             rung.milliseconds = interval.middle;
             rung.low = interval.low;
             rung.high = interval.high;
         }
-        rung.ratio = paired_ratio(times, base, seed);
+        rung.ratio = paired_ratio(times, base);
     }
     const std::vector<Point> points = points_of(result);
     const auto timed = ranges::count_if(result.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     result.few_rounds = result.rungs[result.sweep.current].rounds <
                         std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
-    const std::vector<Verdict> verdicts = pareto_front(points, result.control.noise);
+    result.costs = costs_of(points, result.control.noise);
+    const std::vector<Verdict> verdicts = pareto_front(points, result.costs);
     const bool row = result.sweep.kind != SweepKind::lattice && result.sweep.kind != SweepKind::found;
-    const std::vector<bool> cliff = row ? cliffs(points) : std::vector<bool>(points.size(), false);
+    const std::vector<bool> cliff = row ? cliffs(points.size(), result.costs) : std::vector<bool>(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i) {
         result.rungs[i].verdict = verdicts[i];
         // A change without an error that saves nothing is none to make.
-        const bool idle = result.sweep.kind == SweepKind::found && i != result.sweep.current &&
-                          verdicts[i].standing == Standing::front && !(result.rungs[i].ratio.high < 1);
-        if (idle) result.rungs[i].verdict = {Standing::saves_none, result.sweep.current};
+        const Cost cost = result.costs.of(i, result.sweep.current);
+        if (result.sweep.kind == SweepKind::found && i != result.sweep.current &&
+            verdicts[i].standing == Standing::front && cost != Cost::cheaper)
+            result.rungs[i].verdict = {cost == Cost::equal ? Standing::saves_none : Standing::unsure,
+                                       result.sweep.current};
         result.rungs[i].cliff = cliff[i] && result.trusted();
     }
 }
@@ -367,10 +370,10 @@ double SweepResult::error(const RungResult& rung) const {
     return std::max(rmse, residual.value_or(0));
 }
 
-void conclude(SweepResult& result, std::span<const double> base_again, std::uint64_t seed) {
+void conclude(SweepResult& result, std::span<const double> base_again) {
     choose_metric(result);
     judge_residual(result);
-    conclude_times(result, base_again, seed);
+    conclude_times(result, base_again);
 }
 
 SweepResult measure(Bench& bench, const Sweep& sweep, const MeasureOptions& options) {

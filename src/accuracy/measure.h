@@ -49,6 +49,7 @@ struct SweepResult {
     bool broken = false;         // cannot_say tells of a defect of the scene
     Metric metric = Metric::rmse;
     Control control;
+    Costs costs;              // of the rungs
     bool few_rounds = false;  // too few to be sure of anything, so there is no front
     // RMSE of the light, over the pixels of `own`, by which the reference may be wrong.
     std::optional<double> residual;
@@ -61,7 +62,7 @@ struct SweepResult {
     bool late = false;  // the time was up before every rung was drawn
 
     // True if the verdicts are meaningful.
-    bool trusted() const { return cannot_say.empty() && !control.noisy && !few_rounds; }
+    bool trusted() const { return cannot_say.empty() && !few_rounds; }
     // The error by `metric`, which the front uses: an RMSE is at least the residual, so nothing ranks below it.
     double error(const RungResult& rung) const;
     // What errors are from: the reference, or, of found rungs, the scene as it is. May be empty.
@@ -94,6 +95,6 @@ void take_times(RungResult& rung, std::span<const Times> rounds);
 
 // Computes the conclusions from the errors and times in `result`. measure() calls it; it is public for tests and for
 // interrupted measurements.
-void conclude(SweepResult& result, std::span<const double> base_again, std::uint64_t seed);
+void conclude(SweepResult& result, std::span<const double> base_again);
 
 }  // namespace snell::accuracy

@@ -1,7 +1,6 @@
 // Medians, their uncertainty, and ratios of values measured in the same rounds.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,8 +13,7 @@ double mad(std::span<const double> values);
 // Standard deviation divided by the mean; 0 for fewer than two values.
 double variation(std::span<const double> values);
 
-// A median and its 95 % confidence interval by bootstrapping: the interval that contains 95 % of the medians of
-// resampled values.
+// A median, and the interval in which the true one lies.
 struct Interval {
     double low = 0, middle = 0, high = 0;
 
@@ -23,22 +21,15 @@ struct Interval {
     double width() const { return high - low; }
 };
 
-// Computes the interval from `resamples` samples with replacement; the same values and seed give the same interval.
-// Fewer than five values allow no such estimate: the interval is then a factor of 1.5 wider than the values on both
-// sides (for positive values), which deviations on a quiet machine do not exceed. For no values, all members are NaN.
-Interval bootstrap_median(std::span<const double> values, std::uint64_t seed = 1, int resamples = 2000);
+// The interval misses the median of what the values are drawn from with a probability of at most `level`, half of it at
+// either end, whatever the distribution is (order statistics, as in a sign test). The values are positive and
+// independent. Of too few of them nothing is known: from 0 to infinity. For none, all members are NaN.
+Interval median_interval(std::span<const double> values, double level = .05);
 
 // The quotients a[i] / b[i] of the rounds that both took part in (a value that is not positive is missing). A load of
 // the machine that lasts for a whole round cancels out.
 std::vector<double> quotients(std::span<const double> a, std::span<const double> b);
 // The interval of their median.
-Interval paired_ratio(std::span<const double> a, std::span<const double> b, std::uint64_t seed = 1,
-                      int resamples = 2000);
-
-// The probability that ratios of equal costs lie on one side of 1 as clearly as these (two-sided sign test; ratios of 1
-// are left out). 0 if all differ from 1 by more than a factor of 1.5 to the same side, however few they are.
-double chance_of_signs(std::span<const double> ratios);
-// Holm's step-down correction: which of these probabilities are small enough that all claims together have the level.
-std::vector<bool> holm(std::span<const double> chances, double level);
+Interval paired_ratio(std::span<const double> a, std::span<const double> b, double level = .05);
 
 }  // namespace snell::accuracy

@@ -26,7 +26,7 @@ NamedReport report(const std::string& name, double first, double second, bool qu
     std::vector<double> again = sweep.rungs[2].cpu;
     if (!quiet)
         for (double& t : again) t *= 2;
-    conclude(sweep, again, 1);
+    conclude(sweep, again);
     Report result;
     result.where.renderer = name;
     result.where.width = result.where.height = side;
@@ -54,7 +54,7 @@ NamedReport found_report(const std::string& name, double cost, const std::string
         sweep.rungs.push_back(std::move(timed));
     }
     sweep.clock = ClockKind::cpu;
-    conclude(sweep, std::vector<double>(sweep.rungs[1].cpu), 1);
+    conclude(sweep, std::vector<double>(sweep.rungs[1].cpu));
     Report result;
     result.where.renderer = name;
     result.found = {found};
@@ -164,7 +164,7 @@ TEST(Merge, DamagedNumbersAndOtherSchemasAreErrors) {
     const NamedReport good = report("one", .5, .8);
     for (const auto& [from, to, message] :
          {std::array{"\"median\": ", "\"median\": \"x\", \"was\": ", "is not a report"},
-          std::array{"\"schema\": 2", "\"schema\": 3", "another version of snell"}}) {
+          std::array{"\"schema\": 3", "\"schema\": 2", "another version of snell"}}) {
         const NamedReport reports[]{good, changed(good, from, to)};
         std::string error;
         EXPECT_FALSE(merged_text(reports, error)) << from;

@@ -46,18 +46,6 @@ TEST(Report, OtherLaddersAreNotAsInALattice) {
     }
 }
 
-TEST(Report, MoreRoundsAreAskedForWhereThereWereTooFew) {
-    Together together;
-    together.advice.sweep = sweep_of_two_rungs();
-    together.advice.best = 0;
-    EXPECT_TRUE(together_words(together).ends_with("more --budget tells")) << together_words(together);
-    together.advice.sweep.few_rounds = true;
-    EXPECT_TRUE(together_words(together).ends_with("too few rounds to be sure: more --budget or --reps tells"))
-        << together_words(together);
-    together.advice.settled = true;
-    EXPECT_EQ(together_words(together).find("--budget"), std::string::npos);
-}
-
 TEST(Report, PageShowsTheNameOfTheScene) {
     const std::string page = markdown_text({{}, {sweep_of_two_rungs()}, {}}, {});
     EXPECT_NE(page.find("## a&lt;b&gt;&amp;c.glib: "), std::string::npos) << page;
@@ -125,27 +113,13 @@ TEST(Conclusions, ARungWithoutDirectionsIsNotTheMostExact) {
     result.rungs[1].own.light.rmse = .1;
     result.rungs[1].degrees = Degrees{20, 20, 20, 5};
     result.rungs[2].degrees = Degrees{0, 0, 0, 5};
-    conclude(result, {}, 1);
+    conclude(result, {});
     EXPECT_EQ(result.metric, Metric::rmse) << "angles don't rank all of them";
     EXPECT_GT(result.error(result.rungs[0]), result.error(result.rungs[1]));
     EXPECT_TRUE(result.rungs[1].saturated);
     for (const std::string& text :
          {table_text(result), html_text({{}, {result}, {}}), markdown_text({{}, {result}, {}}, {})})
         EXPECT_EQ(text.find("nan"), std::string::npos) << text;
-}
-
-// As of everything together, where each combination is compared with a picture that is none of them.
-TEST(Conclusions, TheSceneDoesNotUseAReferenceThatIsNoRung) {
-    SweepResult result = ladder_of({"scene", "cheap"});
-    result.sweep.reference = 2;
-    result.reference = {1, 1, {1, 1, 1, 1}};
-    for (RungResult& rung : result.rungs) rung.wall = std::vector<double>(9, &rung == &result.rungs[0] ? 4. : 2.);
-    result.rungs[0].own.light.rmse = .1;
-    conclude(result, result.rungs[0].wall, 1);
-    ASSERT_TRUE(result.trusted());
-    const std::string words = in_words(result);
-    EXPECT_TRUE(words.starts_with("The best value is 'cheap': ")) << words;
-    EXPECT_EQ(words.find("reference"), std::string::npos) << words;
 }
 
 // Counts that were not drawn may be as wrong as any.
@@ -156,7 +130,7 @@ TEST(Conclusions, WhatCountsLeaveIsNotKnownWithoutTheLastOnes) {
         result.residual = 1e-4;
         for (std::size_t i = 0; i < 3; ++i) result.rungs[i].alone.rmse = .1 * std::exp2(-static_cast<double>(i));
         if (missing < 4) result.rungs[missing] = {.name = "missing"};
-        conclude(result, {}, 1);
+        conclude(result, {});
         EXPECT_EQ(result.residual.has_value(), missing == 4) << missing << ": " << result.reference_note;
         EXPECT_EQ(result.reference_note.find("not known") != std::string::npos, missing < 4) << result.reference_note;
     }

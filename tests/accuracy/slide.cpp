@@ -188,11 +188,11 @@ TEST(Slide, FrontOfSeveralSweepsHasWhatNoOtherBeats) {
     // dd beats bb; ee is worse than all; the times of aa and ff, whose errors are equal, can't be told apart.
     EXPECT_EQ(front, (std::set<std::string>{"aa", "cc", "dd", "ff"}));
 
-    std::vector<SweepResult> noisy = sweeps;
-    for (SweepResult& sweep : noisy) sweep.control.noisy = true;
-    const Slide slide = slide_with(noisy);
+    std::vector<SweepResult> few = sweeps;
+    for (SweepResult& sweep : few) sweep.few_rounds = true;
+    const Slide slide = slide_with(few);
     for (const SlidePoint& point : slide.points) EXPECT_FALSE(point.front) << point.name;
-    EXPECT_EQ(slide.stamp, "too noisy: no front");
+    EXPECT_EQ(slide.stamp, "too few rounds: no front");
 }
 
 TEST(Slide, OnlyErrorsFromOneReferenceAreOnOneScale) {

@@ -1,9 +1,8 @@
-// `snell accuracy --list-found`, --apply and --as-ladder: what they write, and what they leave alone.
+// `snell accuracy --list-found` and --apply: what they write, and what they leave alone.
 #include <nlohmann/json.hpp>
 
 #include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/average.h"
-#include "src/accuracy/found/ladder.h"
 #include "src/app/open/write_copy.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"
@@ -71,11 +70,10 @@ struct Read {
     std::vector<Change> changes;
 };
 
-// For changes of the scene: what is written is drawn as what is measured; a ladder of it has both pictures.
+// For changes of the scene: what is written is drawn as what is measured.
 // `most`: of each kind.
 void FoundRungs::expect_same_pictures(const std::string& path, std::size_t most) {
     Read read(path, caps);
-    const Picture original = drawn(path);
     std::string error;
     std::map<ChangeKind, std::size_t> of_kind;
     for (std::size_t i = 0; i < read.changes.size(); ++i) {
@@ -96,21 +94,8 @@ void FoundRungs::expect_same_pictures(const std::string& path, std::size_t most)
             app::write_copy(path, {}, changed_texts(plain, read.sources), folder.path("applied/" + number));
         ASSERT_EQ(copy.error, "");
         EXPECT_TRUE(drawn(copy.scene) == changed);
-        const AsLadders made = as_ladders(read.plan, read.files, read.sources, 0, std::span(&*chosen, 1));
-        if (!made.error.empty()) continue;
-        const std::array<const Change*, 1> ladder{&made.change};
-        const auto both =
-            app::write_copy(path, {}, changed_texts(ladder, read.sources), folder.path("ladder/" + number));
-        ASSERT_EQ(both.error, "");
-        EXPECT_TRUE(drawn(both.scene) == original);
-        const auto choose = [&](const Scene& scene, Rungs& rungs) {
-            for (std::size_t l = 0; l < scene.ladders.size(); ++l)
-                if (scene.ladders[l].name.starts_with("FOUND_")) rungs[l] = 1 - rungs[l];
-        };
-        EXPECT_TRUE(drawn(both.scene, {}, choose) == changed);
     }
     fs::remove_all(folder.path("applied"));
-    fs::remove_all(folder.path("ladder"));
 }
 
 TEST_F(FoundRungs, WhatIsWrittenIsDrawnAsWhatIsMeasured) {
@@ -132,49 +117,6 @@ TEST_F(FoundRungs, AMeanIsDrawnWhenItIsWritten) {
     ASSERT_EQ(applied.status, 0) << applied.output;
     EXPECT_TRUE(applied.says("exp(vP.x) → float(1.18)")) << applied.output;
     EXPECT_NE(bytes_of(folder.path("applied/a.frag")).find("    float a = float(1.18);\n"), std::string::npos);
-    ASSERT_EQ(accuracy("mean/a.glib --as-ladder " + number + " -o ladder").status, 0);
-    EXPECT_NE(
-        bytes_of(folder.path("ladder/a.frag")).find("    float a = float(1.18);\n#else\n    float a = exp(vP.x);\n"),
-        std::string::npos);
-}
-
-// Changes made manually, of an included text and of both stages.
-TEST_F(FoundRungs, LaddersOfIncludedTextsAndOfBothStages) {
-    const std::string path = folder.path("work/ball.glib");
-    Read read(path, caps);
-    const auto edit = [&](const std::string& name, std::string_view before, const std::string& after) {
-        for (FileId file = 0; file < read.sources.size(); ++file)
-            if (read.sources.name(file) == folder.path("work/" + name)) {
-                const auto at = static_cast<std::uint32_t>(read.sources.text(file).find(before));
-                return Edit{{file, at, at + static_cast<std::uint32_t>(before.size())}, after};
-            }
-        const std::string full = folder.path("work/" + name);
-        const FileId file = read.sources.add(full, bytes_of(full));
-        const auto at = static_cast<std::uint32_t>(read.sources.text(file).find(before));
-        return Edit{{file, at, at + static_cast<std::uint32_t>(before.size())}, after};
-    };
-    const std::vector<std::vector<Edit>> all{{edit("sub/shade.glsl", "8", "3")},
-                                             {edit("sub/shade.glsl", ".01 *\x20", "\n.03\n * ")},
-                                             {edit("lit.vert", "vN = gl_Normal", "vN = vec3(0., 0., gl_Normal.z)"),
-                                              edit("lit.frag", "shade(vN)", "(.5 * shade(vN))")}};
-    const Picture original = drawn(path);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        SCOPED_TRACE(i);
-        const std::vector<Change> changes{{ChangeKind::fewer_rounds, all[i].front().span, "a", "b", all[i]}};
-        std::string error;
-        const auto chosen = choose_changes("1", changes, read.sources, error);
-        const AsLadders made = as_ladders(read.plan, read.files, read.sources, 0, std::span(&*chosen, 1));
-        ASSERT_EQ(made.error, "");
-        const std::array<const Change*, 1> ladder{&made.change}, plain{&chosen->changes.front()};
-        const std::string number = std::to_string(i);
-        const auto both = app::write_copy(path, {}, changed_texts(ladder, read.sources), folder.path("l" + number));
-        const auto copy = app::write_copy(path, {}, changed_texts(plain, read.sources), folder.path("a" + number));
-        ASSERT_EQ(both.error + copy.error, "");
-        const Picture changed = drawn(copy.scene);
-        EXPECT_FALSE(changed == original) << "the change can be seen";
-        EXPECT_TRUE(drawn(both.scene) == original);
-        EXPECT_TRUE(drawn(both.scene, {}, [](const Scene&, Rungs& rungs) { rungs.at(0) = 0; }) == changed);
-    }
 }
 
 TEST_F(FoundRungs, TheListHasNumbersAndPlaces) {
@@ -218,8 +160,6 @@ TEST_F(FoundRungs, NumbersAreOfTheRungsThatAreChosen) {
     const std::string text = bytes_of(folder.path("applied/q.frag"));
     EXPECT_EQ(text.find("i < 24"), std::string::npos) << text;
     EXPECT_NE(text.find("i < 16"), std::string::npos) << text;
-    const Outcome ladder = accuracy("work/two.glib --ladder WAY=long -o ladder --as-ladder " + number);
-    EXPECT_TRUE(ladder.status == 0 && ladder.says("i < 24 → ")) << ladder.output;
     const Outcome wrong = accuracy("work/two.glib --ladder WAY=none --list-found");
     EXPECT_TRUE(wrong.status == 1 && wrong.says("ladder 'WAY' has no rung 'none'")) << wrong.output;
     const Outcome hint = accuracy("work/two.glib --ladder WAY=long -o out --apply 999");
@@ -257,16 +197,12 @@ TEST_F(FoundRungs, WrongNumbersAndOptionsAreErrors) {
     refused("work/ball.glib --apply 999 -o new", 1, "list them by: snell accuracy work/ball.glib --list-found\n");
     refused("work/ball.glib --apply x -o new", 1, "'x' is not the number");
     refused("work/ball.glib --apply 1,2 -o new", 1, "'1,2' is not the number of a found rung");
-    refused("work/ball.glib --as-ladder 1, -o new", 1, "is not the number");
     refused("work/ball.glib --apply 1", 2, "add -o FOLDER");
     refused("work/ball.glib --apply 1 -o new --budget 3", 2, "--apply excludes --budget: it only writes a scene");
-    refused("work/ball.glib --apply 1 --as-ladder 2 -o new", 2, "excludes --as-ladder: it only writes");
     refused("work/ball.glib --list-found -o new", 2, "--list-found excludes");
     refused("work/ball.glib work/ball.glib --list-found", 2, "one scene");
     refused("work/none.glib --list-found", 1, "cannot read 'work/none.glib'");
     refused("work/ball.glib --apply 1 -o work/lit.vert", 1, "is not a folder");
-    refused("work/ball.glib --as-ladder 1 -o new", 1, "a ladder chooses among lines of shaders only");
-    refused("work/ball.glib --as-ladder 1 -o new", 1, "work/ball.glib:4:1: error: 1 changes");
     EXPECT_EQ(everything(""), before) << "nothing was written";
 }
 

@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 OTHERS = {"a-b", "built-in", "depth-test", "depth-write", "point-size-mode", "cube-size", "cube-precision",
-          "x-terminal-emulator", "xdg-open", "as-ladder", "quality-copy", "max-flip", "max-pixels", "max-rmse",
+          "x-terminal-emulator", "xdg-open", "max-flip", "max-pixels", "max-rmse",
           "utf-8"}  # dumps, knobs, programs, options, encodings
 
 

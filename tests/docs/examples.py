@@ -72,7 +72,7 @@ def small(command):
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
             "accuracy": {"--size": "16x12", "--no-time": "", "--no-found": "", "--budget": "10"}}.get(words[1], {})
-    if {"--list-found", "--apply", "--as-ladder"} & set(words):
+    if {"--list-found", "--apply"} & set(words):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
         less = {"--size": "48x36", "--reps": "3", "--no-found": "", "--budget": "10"}

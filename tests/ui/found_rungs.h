@@ -34,7 +34,7 @@ inline FoundFacts many_found_rungs(const std::string& long_name, const std::stri
         row.high = row.ratio + .03;
         row.front = i < 5;
     }
-    add(Group::cheaper, "3+12+25+38", "fewer-rounds, half-precision, fewer-texels", "glass.frag").ratio = .25;
+    add(Group::cheaper, "3+12+25+38", "fewer-rounds, polynomial, fewer-texels", "glass.frag").ratio = .25;
     FoundRow& lacks = add(Group::better, "51", "unit-length", "glass.vert");
     lacks.error = .0123;
     lacks.ratio = 1.02;

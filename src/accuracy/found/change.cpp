@@ -20,7 +20,6 @@ constexpr std::array<KindFacts, static_cast<std::size_t>(ChangeKind::count)> tab
     {ChangeKind::polynomial, Aim::cheaper, "polynomial", "a function is replaced by a polynomial with a bound"},
     {ChangeKind::per_vertex, Aim::cheaper, "per-vertex", "work moves from the fragment to the vertex shader"},
     {ChangeKind::per_frame, Aim::cheaper, "per-frame", "work on uniforms alone is done once for each vertex"},
-    {ChangeKind::half_precision, Aim::cheaper, "half-precision", "values are rounded as phones with mediump do"},
     {ChangeKind::lower_levels, Aim::cheaper, "lower-levels", "patches are tessellated less"},
     {ChangeKind::smaller_noise, Aim::cheaper, "smaller-noise", "the noise texture has fewer texels"},
     {ChangeKind::fewer_texels, Aim::cheaper, "fewer-texels", "textures that are drawn to have fewer texels"},

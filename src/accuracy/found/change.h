@@ -32,7 +32,6 @@ enum class ChangeKind : std::uint8_t {
     polynomial,
     per_vertex,
     per_frame,
-    half_precision,
     lower_levels,
     // cheaper, in the scene
     smaller_noise,

@@ -43,8 +43,9 @@ private:
     std::vector<std::pair<std::vector<std::size_t>, double>> known_;
 };
 
-// At most so many of these rungs, which save time: first those that none surpasses by its error and its quick time,
-// then those that only these surpass, and so on.
+// At most so many of these rungs, which save time: first those that save at least 5 % of the quick time of whatever is
+// more exact, then those that only these surpass, and so on. Those whose error is plain to see only if there is little
+// else.
 std::vector<std::size_t> in_layers(const FoundResult& found, std::vector<std::size_t> rungs, std::size_t most);
 // At most so many of these, evenly spaced.
 std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t most);

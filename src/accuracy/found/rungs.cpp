@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <random>
+#include <tuple>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/apply.h"
@@ -235,13 +236,21 @@ std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t
 }
 
 std::vector<std::size_t> in_layers(const FoundResult& found, std::vector<std::size_t> rungs, std::size_t most) {
-    constexpr double margin = .03;  // of the quick times
+    constexpr double margin = .05;  // of the quick times
+    constexpr std::size_t enough = 3;
     const auto error = [&](std::size_t i) { return found.rungs[i].worst()->own.light.rmse; };
+    const auto quick = [&](std::size_t i) { return found.rungs[i].quick_ratio; };
     const auto surpasses = [&](std::size_t by, std::size_t i) {
-        return error(by) <= error(i) && found.rungs[by].quick_ratio < found.rungs[i].quick_ratio * (1 - margin);
+        return std::tuple(error(by), quick(by), by) < std::tuple(error(i), quick(i), i) &&
+               quick(by) < quick(i) * (1 + margin);
     };
-    std::vector<std::size_t> some;
-    while (!rungs.empty() && some.size() < most) {
+    const auto nobody_takes = std::stable_partition(rungs.begin(), rungs.end(),
+                                                    [&](std::size_t i) { return !plainly_visible(found.rungs[i]); });
+    std::vector<std::size_t> some, others(nobody_takes, rungs.end());
+    rungs.erase(nobody_takes, rungs.end());
+    while (some.size() < most) {
+        if (rungs.empty() && some.size() < enough) std::swap(rungs, others);
+        if (rungs.empty()) break;
         std::vector<std::size_t> layer, rest;
         for (const std::size_t i : rungs)
             (ranges::any_of(rungs, [&](std::size_t by) { return surpasses(by, i); }) ? rest : layer).push_back(i);

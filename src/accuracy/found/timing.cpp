@@ -9,7 +9,8 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr std::size_t most_timed = 16, most_costs = 10, load_pairs = 3;
+// Few rungs in many rounds: every pair that is compared widens the intervals of all.
+constexpr std::size_t most_timed = 8, most_costs = 8, load_pairs = 3, spare_rounds = 8;
 constexpr double least_loading = 1;  // milliseconds: less is noise
 
 }  // namespace
@@ -33,7 +34,7 @@ std::size_t Search::Impl::fitting(std::size_t most, double part, std::array<int,
     double frame = 0;
     const auto seconds = [&](std::size_t rungs) {
         const double sample = frame > 500 ? frame : frame + std::max(frame, options.at_least);
-        const auto needed = static_cast<double>(std::max(rounds_for(rungs + 1), fewest_rounds));
+        const auto needed = static_cast<double>(rounds_for(rungs + 1) + spare_rounds);
         const auto entrants = static_cast<double>(rungs + 2);
         return entrants * (sample * needed + 3 * frame) / 1e3;
     };
@@ -99,7 +100,7 @@ void Search::Impl::end_rounds() {
         again = rounds->again();
     }
     sweep.interrupted = result.interrupted;
-    conclude(sweep, again, options.places.seed);
+    conclude(sweep, again);
     rounds.reset();
     timing = nullptr;
     small();

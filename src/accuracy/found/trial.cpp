@@ -28,16 +28,6 @@ void add_problems(Bench& bench, Diagnostics& diagnostics) {
     for (const std::string& error : gl::take_errors()) diagnostics.warning("opengl-error", error);
 }
 
-// Of pixels that only lie in a part of the picture: the same sums, over more pixels.
-Figures over_more(Figures figures, std::size_t of, std::size_t among) {
-    const double share = among > 0 ? static_cast<double>(of) / static_cast<double>(among) : 0;
-    if (!std::isfinite(figures.rmse)) return figures;
-    figures.rmse *= std::sqrt(share);
-    figures.mean *= share;
-    figures.psnr = psnr(figures.rmse);
-    return figures;
-}
-
 Figures no_difference() { return {0, psnr(0), 0, 0}; }
 
 }  // namespace
@@ -140,10 +130,10 @@ Place Trials::seen_by(Trial& trial, std::size_t place) const {
     return seen;
 }
 
-std::optional<Picture> Trials::picture(Trial& trial, std::size_t place, const Variant& variant) {
+std::optional<Picture> Trials::picture(Trial& trial, std::size_t place) {
     trial.bench->resize(settings_.width, settings_.height);
     trial.bench->at(seen_by(trial, place));
-    auto picture = trial.bench->picture(variant);
+    auto picture = trial.bench->picture(variant());
     trial.bench->at(places_.front());
     if (const auto errors = gl::take_errors(); !errors.empty()) trial.refused = "OpenGL reports " + errors.front();
     return picture;
@@ -170,19 +160,14 @@ Difference Trials::compare(const Picture& picture, std::size_t place, bool only_
     difference.pixels_changed = count(changed);
     Region own = only_changed ? changed : region(place);
     for (std::size_t i = 0; i < own.size(); ++i) own[i] |= changed[i];
-    const std::size_t pixels = own.empty() ? reference.pixels() : count(own);
+    difference.whole = accuracy::compare(picture, reference);
+    difference.own = own.empty() ? difference.whole : accuracy::compare(picture, reference, own);
     if (difference.pixels_changed == 0) {
-        difference.whole = difference.own = {.light = no_difference(), .display = no_difference()};
-        difference.whole.pixels = reference.pixels();
-        difference.own.pixels = pixels;
+        // Where nothing changed there may be no pixel that counts.
+        difference.own.light = difference.own.display = no_difference();
         difference.flip = 0;
         return difference;
     }
-    difference.own = accuracy::compare(picture, reference, own);
-    difference.whole = difference.own;
-    difference.whole.pixels = reference.pixels() - difference.own.nonfinite;
-    for (Figures Error::*figures : {&Error::light, &Error::display})
-        difference.whole.*figures = over_more(difference.own.*figures, difference.own.pixels, difference.whole.pixels);
     if (flip) difference.flip = mean_of(flip_map(picture, reference), own);
     return difference;
 }

@@ -47,8 +47,7 @@ public:
     // Opens the scene with these changes, which are compatible; with none, as it is. `shared`: with the textures,
     // meshes and programs of the scene as it is.
     Trial open(std::span<const std::size_t> changes, bool shared = true);
-    std::optional<Picture> picture(Trial& trial, std::size_t place) { return picture(trial, place, variant()); }
-    std::optional<Picture> picture(Trial& trial, std::size_t place, const Variant& variant);
+    std::optional<Picture> picture(Trial& trial, std::size_t place);
     const Picture& original(std::size_t place);
     // The difference of that picture at a place, over the pixels in which the scene draws, the same for all changes,
     // and those that differ; `only_changed`: over the latter alone. `flip`: with FLIP.

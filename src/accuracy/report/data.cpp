@@ -24,7 +24,7 @@ std::vector<double> present(const std::vector<double>& times) {
     return result;
 }
 
-Interval interval(const std::vector<double>& times) { return bootstrap_median(present(times)); }
+Interval interval(const std::vector<double>& times) { return median_interval(present(times)); }
 
 Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t index) {
     Json json{{"rung", rung.name},
@@ -37,6 +37,7 @@ Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t ind
     if (rung.rounds > 0) {
         json["ms"] = interval_json({rung.low, rung.milliseconds, rung.high});
         json["ratio_to_current"] = interval_json(rung.ratio);
+        json["cost"] = name(sweep.costs.of(index, sweep.sweep.current));
         json["cpu_ms"] = present(rung.cpu);
         json["wall_ms"] = present(rung.wall);
         if (!present(rung.gpu).empty()) json["gpu_ms"] = present(rung.gpu);
@@ -195,8 +196,7 @@ Json sweep_json(const SweepResult& sweep) {
     json["aa_control"] = {{"ratio", number(sweep.control.ratio.middle)},
                           {"lo95", number(sweep.control.ratio.low)},
                           {"hi95", number(sweep.control.ratio.high)},
-                          {"noise", number(sweep.control.noise)},
-                          {"noisy", sweep.control.noisy}};
+                          {"noise", number(sweep.control.noise)}};
     json["family_level"] = family_level;
     json["reference"] = {{"rung", sweep.rungs[sweep.sweep.reference].name},
                          {"samples", sweep.finest.grid},
@@ -212,34 +212,6 @@ Json sweep_json(const SweepResult& sweep) {
     return json;
 }
 
-Json together_json(const Together& together) {
-    const MixAdvice& advice = together.advice;
-    const SweepResult& sweep = advice.sweep;
-    const auto limit = [](const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); };
-    Json json{{"scene", together.scene},
-              {"wish", {{"ms", limit(together.wish.milliseconds)}, {"rmse", limit(together.wish.error)}}},
-              {"words", together_words(together)},
-              {"best", sweep.rungs[*advice.best].name},
-              {"met", advice.met},
-              {"settled", advice.settled},
-              {"places", advice.places},
-              {"clock", name(sweep.clock)},
-              {"trusted", sweep.trusted()},
-              {"aa_control", interval_json(sweep.control.ratio)},
-              {"mask_pixels", sweep.own_pixels},
-              {"residual", limit(sweep.residual)}};
-    json["rungs"] = Json::array();
-    for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
-        const Mix& mix = advice.mixes[i];
-        Json rung{{"ladders", together.choices[i]},
-                  {"samples", mix.samples},
-                  {"found", mix.changes.empty() ? Json(nullptr) : Json(rung_name(mix.changes))}};
-        rung["measured"] = rung_json(sweep, sweep.rungs[i], i);
-        json["rungs"].push_back(std::move(rung));
-    }
-    return json;
-}
-
 }  // namespace
 
 std::string csv_text(const Report& report) {
@@ -248,9 +220,6 @@ std::string csv_text(const Report& report) {
     text += '\n';
     for (const SweepResult& sweep : report.sweeps)
         for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
-    for (const Together& together : report.together)
-        for (std::size_t i = 0; i < together.advice.sweep.rungs.size(); ++i)
-            text += row_text({report.where, together.advice.sweep, i});
     for (const FoundResult& found : report.found)
         for (const Aim aim : {Aim::cheaper, Aim::better, Aim::unused}) {
             const SweepResult listed = as_sweep(found, aim);
@@ -272,7 +241,7 @@ std::string csv_text(const Report& report) {
 
 std::string json_text(const Report& report) {
     const Circumstances& w = report.where;
-    Json json{{"schema", 2},
+    Json json{{"schema", 3},
               {"tool", w.tool},
               {"date", w.date},
               {"host",
@@ -291,7 +260,6 @@ std::string json_text(const Report& report) {
     for (const FoundResult& found : report.found) json["found"].push_back(found_json(found));
     json["ladders"] = Json::array();
     for (const SweepResult& sweep : report.sweeps) json["ladders"].push_back(sweep_json(sweep));
-    for (const Together& together : report.together) json["together"].push_back(together_json(together));
     return content::json_text(json) + "\n";
 }
 

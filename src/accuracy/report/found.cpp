@@ -43,7 +43,7 @@ std::string shown_cost(const FoundResult& found, const FoundRung& rung) {
     const auto add = [&](const std::string& what) { costs += (costs.empty() ? "costs " : ", ") + what; };
     const RungResult* times = found.times(rung);
     const double scene = times ? found.costs.rungs.back().milliseconds : 0;
-    const bool measurable = times && times->ratio.high < 1 && times->milliseconds < .99 * scene;
+    const bool measurable = times && compare_costs(times->ratio, found.costs.control.noise, .01) == Cost::cheaper;
     if (measurable) add(fmt::format("{:.3g} ms of {:.3g}", scene - times->milliseconds, scene));
     if (times && !measurable) add("less time than can be measured");
     if (rung.load_ms.value_or(0) > 0) add(fmt::format("{:.3g} ms of loading", *rung.load_ms));
@@ -266,12 +266,8 @@ std::string found_words(const FoundResult& found) {
         text += fmt::format(" What better changes cost, and what changes no pixel, is of {}.",
                             size_of_times(found, found.costs_size));
     if (timed && found.timed.few_rounds) text += " There are too few rounds to compare costs.";
-    if (timed && !found.timed.few_rounds && found.timed.control.noisy)
-        text += fmt::format(
-            " The measurement is too noisy to compare costs: the scene, timed twice, took {} times as long the second "
-            "time.",
-            ratio_text(found.timed.control.ratio));
-    if (timed && found.timed.trusted()) text += noise_sentence(found.timed.control);
+    if (const std::string noise = noise_sentence(found.timed.control); timed && found.timed.trusted() && !noise.empty())
+        text += " " + noise;
     return text;
 }
 
@@ -282,6 +278,7 @@ SweepResult as_sweep(const FoundResult& found, Aim aim) {
                                                 : aim == Aim::better ? "better"
                                                                      : "unused");
     sweep.rungs.clear();
+    sweep.costs = {};
     for (const FoundRung& rung : found.rungs) {
         if (rung.aim != aim) continue;
         const RungResult* times = found.times(rung);

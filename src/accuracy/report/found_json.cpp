@@ -55,6 +55,7 @@ FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
         json["n_rounds"] = times->rounds;
         json["ms"] = interval_json({times->low, times->milliseconds, times->high});
         json["ratio_to_scene"] = interval_json(times->ratio);
+        json["cost"] = name(found.sweep_of(rung).costs.of(*rung.timed, found.sweep_of(rung).sweep.current));
     }
     if (rung.aim == Aim::unused) json["saves"] = {{"gpu_bytes", rung.gpu_bytes}, {"bytes_decoded", rung.bytes_decoded}};
     if (rung.load_ms) json["saves"]["load_ms"] = *rung.load_ms;

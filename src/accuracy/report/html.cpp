@@ -117,19 +117,6 @@ std::string pictures(const SweepResult& sweep) {
     return out + "</div>";
 }
 
-// The pictures are compared with the reference, which is none of the rungs.
-std::string together_section(const Together& together) {
-    const SweepResult& sweep = together.advice.sweep;
-    const std::string words = together_words(together), more = in_words(sweep);
-    return fmt::format(
-        "<section><h2>{}</h2><p class=\"words\"><b>{}</b></p><p class=\"words\">{}</p><div "
-        "class=\"scroll\">{}</div>{}<p class=\"facts\">{}, errors at the worst of {} places. Control (the scene timed "
-        "twice): {}; clock: {}.</p></section>\n",
-        content::escaped(sweep.sweep.name), content::escaped(words), content::escaped(more), plot_svg(sweep),
-        content::table_html(rung_table(sweep)), content::escaped(together.scene), together.advice.places,
-        ratio_text(sweep.control.ratio), name(sweep.clock));
-}
-
 std::string section(const SweepResult& sweep) {
     const bool timed = ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", content::escaped(sweep.sweep.name),
@@ -184,7 +171,6 @@ std::string html_text(const Report& report, std::string_view slide) {
         "of "
         "one ladder's costs hold together at 95 %.</p>\n",
         errors_are);
-    for (const Together& together : report.together) out += together_section(together);
     const auto sections = [&](bool knobs) {
         for (const SweepResult& sweep : report.sweeps)
             if ((sweep.sweep.kind == SweepKind::knob) == knobs && !unmeasured(sweep)) out += section(sweep);

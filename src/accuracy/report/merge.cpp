@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -19,12 +20,19 @@ namespace snell::accuracy {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int schema = 2;  // of json_text()
+constexpr int schema = 3;  // of json_text()
 
-struct Cost {
+struct Measured {
     bool known = false;
     Interval ratio;        // relative to the current rung
+    int cost = 0;          // -1: surely cheaper than that, 1: surely dearer
     std::string standing;  // empty if the measurement is not trusted
+    // 1: on the front, -1: surely not.
+    int front() const {
+        return standing == "front"                                                      ? 1
+               : standing.starts_with("dominated") || standing.starts_with("no saving") ? -1
+                                                                                        : 0;
+    }
 };
 
 struct OnMachine {
@@ -33,7 +41,7 @@ struct OnMachine {
     std::array<int, 2> size{};
     bool trusted = false;
     std::vector<std::string> order;  // the rungs
-    std::map<std::string, Cost> costs;
+    std::map<std::string, Measured> costs;
 };
 
 using Key = std::pair<std::string, std::string>;  // scene and ladder
@@ -50,12 +58,21 @@ std::string text_of(const Json& json) { return utf8::printable(json.get<std::str
 
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
+// JSON has no infinity.
+Interval interval_of(const Json& json) {
+    const Json& high = json.at("hi95");
+    return {json.at("lo95").get<double>(), json.at("median").get<double>(),
+            high.is_null() ? std::numeric_limits<double>::infinity() : high.get<double>()};
+}
+
 // `base`: what the ratio is to.
-Cost cost_of(const Json& rung, const char* base) {
+Measured cost_of(const Json& rung, const char* base) {
     if (!rung.contains(base) || rung[base].at("median").is_null()) return {};
-    const Json& ratio = rung[base];
-    return {true,
-            {ratio.at("lo95").get<double>(), ratio.at("median").get<double>(), ratio.at("hi95").get<double>()},
+    const std::string cost = rung.at("cost").get<std::string>();
+    return {true, interval_of(rung[base]),
+            cost == "cheaper"  ? -1
+            : cost == "dearer" ? 1
+                               : 0,
             text_of(rung.at("standing"))};
 }
 
@@ -79,7 +96,7 @@ OnMachine found_on(const Json& found, std::size_t index) {
                  {},
                  {}};
     for (const Json& rung : found.at("rungs")) {
-        const Cost cost = text_of(rung.at("aim")) == "cheaper" ? cost_of(rung, "ratio_to_scene") : Cost{};
+        const Measured cost = text_of(rung.at("aim")) == "cheaper" ? cost_of(rung, "ratio_to_scene") : Measured{};
         if (!cost.known) continue;
         on.order.push_back(changes_of(rung));
         on.costs[on.order.back()] = cost;
@@ -133,19 +150,11 @@ std::set<std::string> ambiguous_names(const std::vector<Machine>& machines) {
     return ambiguous;
 }
 
-// The conclusions about one rung on one machine; equal ones agree.
-std::pair<bool, int> conclusions(const Cost& cost) {
-    return {cost.standing == "front", cost.ratio.high < 1 ? -1 : cost.ratio.low > 1 ? 1 : 0};
-}
-
-// Costs that can't be told from the current rung's contradict nothing; opposite ones, or another front, do.
-bool portable(const std::vector<const Cost*>& costs) {
-    for (const Cost* a : costs)
-        for (const Cost* b : costs) {
-            const auto [front_a, side_a] = conclusions(*a);
-            const auto [front_b, side_b] = conclusions(*b);
-            if (front_a != front_b || side_a * side_b < 0) return false;
-        }
+// What can't be told contradicts nothing; opposite costs, or another front, do.
+bool portable(const std::vector<const Measured*>& costs) {
+    for (const Measured* a : costs)
+        for (const Measured* b : costs)
+            if (a->front() * b->front() < 0 || a->cost * b->cost < 0) return false;
     return true;
 }
 
@@ -182,7 +191,7 @@ std::string ladder_text(const std::vector<const OnMachine*>& on) {
     for (const std::string& rung : rungs) width = std::max(width, rung.size());
     for (const std::string& rung : rungs) {
         text += fmt::format("  {:<{}}", rung, width);
-        std::vector<const Cost*> trusted;
+        std::vector<const Measured*> trusted;
         for (const OnMachine* machine : on) {
             const auto found = machine->costs.find(rung);
             const bool known = found != machine->costs.end() && found->second.known;
@@ -191,7 +200,8 @@ std::string ladder_text(const std::vector<const OnMachine*>& on) {
                                 !known             ? "not measured"
                                 : machine->trusted ? found->second.standing
                                                    : "not trusted");
-            if (known && machine->trusted) trusted.push_back(&found->second);
+            if (known && machine->trusted && (found->second.cost != 0 || found->second.front() != 0))
+                trusted.push_back(&found->second);
         }
         text += trusted.size() < 2 || !comparable ? "  can't say\n" : portable(trusted) ? "\n" : "  not portable\n";
     }

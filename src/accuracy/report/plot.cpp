@@ -51,9 +51,7 @@ public:
         labels();
         if (!sweep_.trusted())
             text("stamp", width - right - 6, top + 18, "end",
-                 !sweep_.cannot_say.empty() ? "can't say"
-                 : sweep_.few_rounds        ? "too few rounds: no front"
-                                            : "too noisy: no front");
+                 sweep_.cannot_say.empty() ? "too few rounds: no front" : "can't say");
         return out_ + "</svg>";
     }
 

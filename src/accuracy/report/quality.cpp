@@ -64,7 +64,7 @@ std::optional<StoredPreset> read_quality(std::string_view text, std::string_view
         stored.measured =
             fmt::format("RMSE {:.2g}, {} times the scene's own time on {}{}", preset.at("rmse").get<double>(),
                         preset.at("ratio").get<std::string>(), json.at("renderer").get<std::string>(),
-                        !preset.at("trusted").get<bool>()   ? ", but the measurement was too noisy to be certain"
+                        !preset.at("trusted").get<bool>()   ? ", but there were too few rounds to be certain"
                         : !preset.at("settled").get<bool>() ? "; better combinations may exist"
                                                             : "");
         return stored;

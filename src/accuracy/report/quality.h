@@ -28,7 +28,7 @@ struct Preset {
     double milliseconds = 0;
     Interval ratio{1, 1, 1};  // relative to the scene's rungs at the time of measurement
     bool settled = false;     // no measured combination fulfils the wish better
-    bool trusted = false;     // the control was not noisy
+    bool trusted = false;     // there were rounds enough
 };
 
 // Makes the presets from the results of advise() for quality_wishes().

@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "src/accuracy/advice.h"
 #include "src/accuracy/found/search.h"
-#include "src/accuracy/measure.h"
-#include "src/accuracy/report/together.h"
 #include "src/content/table.h"
 
 namespace snell::accuracy {
@@ -35,7 +34,6 @@ struct Report {
     std::vector<SweepResult> sweeps;
     std::vector<FoundResult> found;     // of each scene whose rungs were sought
     std::vector<std::string> problems;  // of the scene, one line each
-    std::vector<Together> together;     // of each scene that limits were given for
 };
 
 // What is plotted: ladders and knobs, then the found rungs that were timed.
@@ -44,10 +42,17 @@ std::vector<const SweepResult*> plots_of(const Report& report);
 std::string in_words(const SweepResult& sweep);
 // Formats as "1.02 [.99, 1.05]", with as many digits as the interval justifies.
 std::string ratio_text(const Interval& ratio);
-// Which costs count as equal because of the noise of the run, as a sentence after a space; empty if it is small.
+// Such as "1.02 ms [0.99, 1.05]"; and with its ratio to the current rung's.
+std::string time_text(const RungResult& rung);
+std::string cost_text(const RungResult& rung, const SweepResult& sweep);
+// Such as "RMSE of light at most 0.1 and at most 16 ms".
+std::string wish_text(const Wish& wish);
+// What is added to an error when it is compared with a limit, such as " and up to 0.01 of the reference".
+std::string residual_text(const SweepResult& sweep, const Wish& wish);
+// Which differences are not told because of the noise of the run, as a sentence; empty if it is small.
 std::string noise_sentence(const Control& control);
-// The rung's position relative to the front: "front", "dominated by x" or "no saving: x"; empty if the times are not
-// trusted.
+// The rung's position relative to the front: "front", "dominated by x", "no saving: x" or "not surely cheaper than x";
+// empty if the times are not trusted.
 std::string standing_text(const SweepResult& sweep, const RungResult& rung);
 
 // All remarks on the rung: its standing, and what a reader must know before trusting its error.

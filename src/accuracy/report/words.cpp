@@ -35,8 +35,10 @@ std::string price_sentence(const SweepResult& sweep) {
     const RungResult &base = base_of(sweep), &reference = *last_of(sweep);
     if (&base == &reference) return "The scene already uses the reference.";
     if (reference.rounds == 0) return {};
-    if (equal_cost(reference.ratio))
-        return fmt::format("The cost of '{}' is not measurably different: {} times that of '{}'.", reference.name,
+    const Cost cost = sweep.costs.of(sweep.sweep.reference, sweep.sweep.current);
+    if (cost == Cost::equal || cost == Cost::not_told)
+        return fmt::format("The cost of '{}' {}: {} times that of '{}'.", reference.name,
+                           cost == Cost::equal ? "is the same" : "can't be told from the scene's own",
                            ratio_text(reference.ratio), base.name);
     return fmt::format("'{}' takes {} times as long as '{}', which has an error of {}.", reference.name,
                        ratio_text(reference.ratio), base.name, error_text(sweep, base));
@@ -59,7 +61,7 @@ std::string bargain_sentence(const SweepResult& sweep) {
 
 std::string standing_sentences(const SweepResult& sweep) {
     std::string text;
-    for (const Standing standing : {Standing::dominated, Standing::saves_none})
+    for (const Standing standing : {Standing::dominated, Standing::saves_none, Standing::unsure})
         for (std::size_t other = 0; other < sweep.rungs.size(); ++other) {
             std::vector<std::string> names;
             for (const RungResult& rung : sweep.rungs)
@@ -68,8 +70,12 @@ std::string standing_sentences(const SweepResult& sweep) {
             const std::string& by = sweep.rungs[other].name;
             text += standing == Standing::dominated
                         ? fmt::format(" '{}' is cheaper than {}, and not worse.", by, list_text(names))
-                        : fmt::format(" {} {} as much as '{}', which is more exact.", list_text(names),
-                                      names.size() > 1 ? "cost" : "costs", by);
+                        : fmt::format(" {} {} '{}', which is more exact.", list_text(names),
+                                      standing == Standing::unsure ? names.size() > 1 ? "are not surely cheaper than"
+                                                                                      : "is not surely cheaper than"
+                                      : names.size() > 1           ? "cost as much as"
+                                                                   : "costs as much as",
+                                      by);
         }
     return text;
 }
@@ -84,6 +90,27 @@ std::string ratio_text(const Interval& ratio) {
     return fmt::format("{:.{}f} [{:.{}f}, {:.{}f}]", ratio.middle, digits, ratio.low, digits, ratio.high, digits);
 }
 
+std::string wish_text(const Wish& wish) {
+    std::string text;
+    if (wish.error) text = fmt::format("RMSE of light at most {:.3g}", *wish.error);
+    if (wish.milliseconds) text += fmt::format("{}at most {:.3g} ms", text.empty() ? "" : " and ", *wish.milliseconds);
+    return text.empty() ? "whatever its error is" : text;
+}
+
+std::string residual_text(const SweepResult& sweep, const Wish& wish) {
+    if (!wish.error || sweep.residual == 0) return "";
+    return sweep.residual ? fmt::format(" and up to {:.2g} of the reference", *sweep.residual)
+                          : " and an unknown part of the reference";
+}
+
+std::string time_text(const RungResult& rung) {
+    return fmt::format("{:.3g} ms [{:.3g}, {:.3g}]", rung.milliseconds, rung.low, rung.high);
+}
+
+std::string cost_text(const RungResult& rung, const SweepResult& sweep) {
+    return fmt::format("{} of {}, {} times what", time_text(rung), name(sweep.clock), ratio_text(rung.ratio));
+}
+
 std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
     if (!sweep.trusted()) return "";
     const std::string by = rung.verdict.by == nobody ? "" : sweep.rungs[rung.verdict.by].name;
@@ -94,6 +121,8 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
             return "dominated by " + by;
         case Standing::saves_none:
             return "no saving: " + by;
+        case Standing::unsure:
+            return "not surely cheaper than " + by;
         case Standing::unknown:
             return std::isinf(sweep.error(rung)) ? "no value" : "not measured";
     }
@@ -133,9 +162,9 @@ std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
 }
 
 std::string noise_sentence(const Control& control) {
-    if (control.noisy || control.noise <= .03) return "";
+    if (!(control.noise > same_cost)) return "";
     return fmt::format(
-        " Costs within {:.0f} % of each other count as equal: the same picture, timed twice, differed so much.",
+        "Costs that differ by less than {:.0f} % are not told apart: the same picture, timed twice, differed so much.",
         100 * control.noise);
 }
 
@@ -145,11 +174,8 @@ std::string cost_sentences(const SweepResult& sweep) {
     std::string text;
     if (base_of(sweep).rounds == 0) return "Nothing was timed.";
     if (sweep.few_rounds) return "There are too few rounds to compare costs.";
-    if (sweep.control.noisy)
-        return fmt::format(
-            "The measurement is too noisy to compare costs: '{}', timed twice, took {} times as long the second time.",
-            base_of(sweep).name, ratio_text(sweep.control.ratio));
-    text = price_sentence(sweep) + noise_sentence(sweep.control);
+    text = price_sentence(sweep);
+    if (const std::string noise = noise_sentence(sweep.control); !noise.empty()) text += " " + noise;
     if (const std::string bargain = bargain_sentence(sweep); !bargain.empty()) text += " " + bargain;
     // For a lattice, the table has this information.
     if (sweep.sweep.kind != SweepKind::lattice) text += standing_sentences(sweep);

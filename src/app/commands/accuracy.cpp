@@ -359,13 +359,6 @@ Run add_accuracy(CLI::App& command) {
         if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
         if (options->scenes.empty())
             return complain(exit_usage, "no scene given; 'snell accuracy --help' shows the options");
-        if (!options->quality_copy.empty() && (options->scenes.size() != 1 || !seeks(*options)))
-            return complain(exit_usage,
-                            "--quality-copy looks for found rungs of one scene: give one scene, and no --ladders, "
-                            "--knobs, --from lattice or --no-found");
-        if (const std::string wrong = options->quality_copy.empty() ? "" : check_folder(options->quality_copy);
-            !wrong.empty())
-            return complain(exit_input, wrong);
         return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage;
     };
 }

@@ -11,7 +11,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/utf8.h"
-#include "src/accuracy/found/together.h"
+#include "src/accuracy/advice.h"
 #include "src/accuracy/report/quality.h"
 #include "src/app/commands/found_rungs.h"
 #include "src/app/commands/options.h"
@@ -39,9 +39,7 @@ std::string found_text(const Advice& advice, const SweepResult& sweep) {
             : sweep.few_rounds
                 ? "  there were too few rounds to be sure: others may be better; more --budget or --reps tells\n"
                 : "  time was up: others may be better; more --budget tells\n";
-    if (!sweep.few_rounds && sweep.control.noisy)
-        text += fmt::format("  the machine is too noisy to be sure of costs: '{}' took {} times what it took itself\n",
-                            now, ratio_text(sweep.control.ratio));
+    if (const std::string noise = noise_sentence(sweep.control); !noise.empty()) text += "  " + noise + "\n";
     return text;
 }
 
@@ -173,78 +171,14 @@ bool advise_found(const std::string& path, const AccuracyOptions& options, const
                : wish.milliseconds ? "the most exact is"
                                    : "the cheapest is",
                found_choice_text(path, options, found, *best));
-    if (found.timed.few_rounds || found.timed.control.noisy)
-        fmt::print("  the costs are not sure: {}\n",
-                   found.timed.few_rounds ? "there were too few rounds" : "the machine is too noisy");
+    if (found.timed.few_rounds) fmt::print("  the costs are not sure: there were too few rounds\n");
     return met && !(ladders && *best == found.timed.sweep.current);
-}
-
-// All kinds together, which the report gets. False, if no limit is met.
-bool advise_mixed(const std::string& path, const AccuracyOptions& options, Bench& bench, const Sought& sought,
-                  const Wish& wish, const MeasureOptions& measuring, Report& report) {
-    MixOptions how{.rungs = {}, .measuring = measuring};
-    for (const SweepResult& sweep : report.sweeps) {
-        if (sweep.scene != path || sweep.sweep.kind != SweepKind::lattice) continue;
-        if (const auto best = choose(sweep, wish)) how.rungs.push_back(sweep.sweep.rungs[*best].variant.rungs);
-    }
-    Together together{
-        path, wish, advise_together(sought.original, sought.found, bench, sought.caps, sought.settings, wish, how), {}};
-    const MixAdvice& advice = together.advice;
-    if (!advice.best) {
-        const std::string& why = advice.sweep.cannot_say;
-        fmt::print("\n{}: of everything together, can't say: {}\n", wish_text(wish),
-                   why.empty() ? "the time was up" : why);
-        return false;
-    }
-    for (const Mix& mix : advice.mixes) together.choices.push_back(choices(bench.scene(), mix.rungs));
-    fmt::print("{}\n{}\n", table_text(advice.sweep), together_words(together));
-    const Mix& mix = advice.mixes[*advice.best];
-    std::string scene = path;
-    if (!mix.changes.empty()) {
-        fmt::print("  {}\n", apply_command(path, options.choices, rung_name(mix.changes), "FOLDER"));
-        scene = copied_scene(path, options.access, "FOLDER");
-    }
-    fmt::print("  {}{}\n", render_line(bench, scene, together.choices[*advice.best]),
-               mix.samples > 1 ? fmt::format(" --samples {}", mix.samples) : "");
-    const bool met = advice.met;
-    report.together.push_back(std::move(together));
-    return met;
-}
-
-// A copy with found rungs as ladders, and presets of what was written. The report gets their measurements.
-bool save_quality_copy(const AccuracyOptions& options, const Sought& sought, const MeasureOptions& measuring,
-                       Report& report) {
-    const std::string path = write_quality_copy(options, sought);
-    if (path.empty()) return false;
-    Files files(scene_folder(path), options.access);
-    Sources sources;
-    Diagnostics diagnostics;
-    auto parsed = parse_document(path, files, sources, diagnostics);
-    if (!parsed) {
-        fmt::print(stderr, "{}", snell::render(diagnostics, sources));
-        return false;
-    }
-    Plan plan = make_plan(std::move(parsed->scene), files, sources, diagnostics);
-    for (const std::string& choice : options.choices) choose_rung(plan.rungs, plan.scene, choice, diagnostics);
-    const Rungs now = plan.rungs;
-    Bench bench(std::move(plan), files, sources, sought.caps, sought.settings);
-    References references(measuring.references->seconds());
-    MeasureOptions own = measuring;
-    own.references = &references;
-    AccuracyOptions presets_only = options;
-    presets_only.save_quality = true;
-    presets_only.within = presets_only.error = std::nullopt;
-    bool saved = false;
-    advise_ladders(presets_only, path, bench, now, own, report, saved);
-    if (saved) fmt::print("  {} --quality {}\n", render_line(bench, path, {}), quality_names[1]);
-    return saved;
 }
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.
 bool explain_presets(const std::string& path, const AccuracyOptions& options, const FoundResult* found) {
-    complain(fmt::format("'{}' has no ladders, so no presets were written: a preset names a rung of each ladder", path),
-             fmt::format("write a copy with found rungs as ladders, and its presets, by: {} --quality-copy FOLDER",
-                         accuracy_command(path, options.choices)));
+    complain(
+        fmt::format("'{}' has no ladders, so no presets were written: a preset names a rung of each ladder", path));
     if (!found) return false;
     const std::array<Wish, 3> wishes = quality_wishes();
     for (std::size_t i = 0; i < wishes.size(); ++i)
@@ -260,9 +194,7 @@ std::string check_milliseconds(const std::string& text) {
 
 }  // namespace
 
-bool asks_for_advice(const AccuracyOptions& options) {
-    return options.within || options.error || options.save_quality || !options.quality_copy.empty();
-}
+bool asks_for_advice(const AccuracyOptions& options) { return options.within || options.error || options.save_quality; }
 
 std::optional<double> parse_milliseconds(const std::string& text) {
     char* end = nullptr;
@@ -286,11 +218,6 @@ void add_advice(CLI::App& command, AccuracyOptions& options, CLI::Option& untime
         ->excludes(&untimed);
     command.add_flag("--save-quality", options.save_quality, "find presets for --quality, stored next to the scene")
         ->excludes(&untimed);
-    command
-        .add_option("--quality-copy", options.quality_copy,
-                    "write a copy of the scene with found rungs as ladders, and presets that choose among all ladders")
-        ->check(check_file_name)
-        ->excludes(&untimed);
 }
 
 bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
@@ -299,26 +226,16 @@ bool give_advice(const AccuracyOptions& options, const std::string& path, Bench&
     const Wish wish{options.within, options.error};
     bool met = false, saved = true;
     const FoundResult* found = sought ? &sought->found : nullptr;
-    const bool copies = found && !options.quality_copy.empty(), ladders = !bench.scene().ladders.empty();
-    const bool combines = ladders ? limited || options.save_quality : limited && options.knobs.empty();
-    const bool mixes = limited && found && found->cannot_say.empty();
-    MeasureOptions part = measuring;  // of the time, for each of those that measure
-    part.seconds /= std::max(int{combines} + int{mixes} + int{copies}, 1);
-    if (!limited && !options.save_quality) {
-        saved = copies;
-    } else if (ladders) {
-        met = advise_ladders(options, path, bench, now, part, report, saved);
+    const bool ladders = !bench.scene().ladders.empty();
+    if (ladders) {
+        met = advise_ladders(options, path, bench, now, measuring, report, saved);
     } else {
         saved = !options.save_quality || explain_presets(path, options, found);
         if (limited)
-            met = options.knobs.empty() ? advise_knobs(path, bench, now, wish, part, report)
+            met = options.knobs.empty() ? advise_knobs(path, bench, now, wish, measuring, report)
                                         : advise_named_knobs(path, wish, report);
     }
-    if (limited && found) {
-        met = advise_found(path, options, *found, wish, ladders) || met;
-        if (mixes) met = advise_mixed(path, options, bench, *sought, wish, part, report) || met;
-    }
-    if (copies) saved = save_quality_copy(options, *sought, part, report) && saved;
+    if (limited && found) met = advise_found(path, options, *found, wish, ladders) || met;
     return saved && (met || !limited);
 }
 

@@ -31,9 +31,7 @@ struct AccuracyOptions {
     bool no_time = false;                 // measures errors only
     std::optional<double> within, error;  // limits of a wanted combination: milliseconds, RMSE
     bool save_quality = false;            // writes presets to a file next to the scene
-    std::string quality_copy;             // a folder for a copy whose presets choose found rungs, too; empty: none
-    // Found rungs by their numbers, such as "3+7" and "3,7+9": what is written instead of a measurement.
-    std::string apply, as_ladder;
+    std::string apply;  // a found rung by its numbers, such as "3+7", that is written instead of a measurement
     bool list_found = false;
     std::string context;
     Access access;
@@ -59,7 +57,7 @@ struct Sought {
 
 // Measures, prints the combinations found as values and as a command line, writes the presets if requested, and adds
 // the measurements to the report. Rungs of ladders are chosen, or knobs if the scene has no ladders; and rungs that
-// were found, if `sought` is not null; then all of these together. If no limit is met, or there is no result, or a file
+// were found, if `sought` is not null. If no limit is met, or there is no result, or a file
 // cannot be written, it prints the reason and returns false. asks_for_advice must be true.
 bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
                  const accuracy::MeasureOptions& measuring, const Sought* sought, accuracy::Report& report);

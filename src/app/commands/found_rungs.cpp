@@ -12,8 +12,6 @@
 #include "parser/text/utf8.h"
 #include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/average.h"
-#include "src/accuracy/found/ladder.h"
-#include "src/accuracy/report/quality.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
@@ -31,9 +29,6 @@ namespace {
 
 using namespace snell::accuracy;
 
-constexpr std::size_t most_copied = 5;  // ladders: all of their combinations are measured
-constexpr FileId scene_text = 0;        // a scene is the first text that is read
-
 // A scene that was read, and what can be changed in it.
 struct Found {
     Found(const std::string& path, const Access& access) : files(scene_folder(path), access) {}
@@ -41,7 +36,6 @@ struct Found {
     Files files;
     Sources sources;
     Plan plan;
-    FileId scene = 0;
     std::vector<Change> changes;
     bool errors = false;  // in the scene; they are printed
 };
@@ -70,7 +64,6 @@ std::unique_ptr<Found> find_in(const std::string& path, const AccuracyOptions& o
     bool chosen = true;
     auto parsed = parse_document(path, found->files, found->sources, diagnostics);
     if (parsed) {
-        found->scene = parsed->file;
         found->plan = make_plan(std::move(parsed->scene), found->files, found->sources, diagnostics);
         for (const std::string& choice : options.choices)
             chosen = choose_rung(found->plan.rungs, found->plan.scene, choice, diagnostics) && chosen;
@@ -123,35 +116,13 @@ Exit list_found(const AccuracyOptions& options, const Found& found) {
     return write_output(options.json, list_json(options.scenes.front(), found)) ? exit_fine : exit_input;
 }
 
-// What --apply and --as-ladder write.
-struct Texts {
-    std::vector<Chosen> chosen;
-    std::vector<std::string> statements;  // of ladders
-    std::map<std::string, std::string> by_path;
-};
-
-// --apply makes one rung, --as-ladder several, such as "3,7+9".
-std::vector<std::string_view> wanted_rungs(const AccuracyOptions& options) {
-    if (options.as_ladder.empty()) return {options.apply};
-    const std::string_view names = options.as_ladder;
-    std::vector<std::string_view> rungs;
-    for (std::size_t at = 0; at <= names.size();) {
-        const std::size_t end = std::min(names.find(',', at), names.size());
-        rungs.push_back(names.substr(at, end - at));
-        at = end + 1;
-    }
-    return rungs;
-}
-
-// Draws the expressions whose means are needed for these rungs. False if there is no OpenGL to draw them with.
+// Draws the expressions whose means are needed for the rung. False if there is no OpenGL to draw them with.
 bool fill(Found& found, const AccuracyOptions& options) {
     std::vector<Change*> unfilled;
-    for (const std::string_view name : wanted_rungs(options)) {
-        std::string unheard;  // choose() says what is wrong
-        const auto indices = parse_rung(name, found.changes, unheard);
-        for (const std::size_t index : indices.value_or(std::vector<std::size_t>{}))
-            if (!found.changes[index].probes.empty()) unfilled.push_back(&found.changes[index]);
-    }
+    std::string unheard;  // choose_changes() says what is wrong
+    for (const std::size_t index :
+         parse_rung(options.apply, found.changes, unheard).value_or(std::vector<std::size_t>{}))
+        if (!found.changes[index].probes.empty()) unfilled.push_back(&found.changes[index]);
     if (unfilled.empty()) return true;
     const auto context = headless_context(options.context);
     if (context)
@@ -159,98 +130,28 @@ bool fill(Found& found, const AccuracyOptions& options) {
     return context != nullptr;
 }
 
-std::optional<std::vector<Chosen>> choose(const Found& found, const AccuracyOptions& options) {
-    std::vector<Chosen> chosen;
-    for (const std::string_view name : wanted_rungs(options)) {
-        std::string error;
-        auto one = choose_changes(name, found.changes, found.sources, error);
-        if (!one) {
-            complain(error,
-                     "list them by: " + accuracy_command(options.scenes.front(), options.choices) + " --list-found");
-            return std::nullopt;
-        }
-        chosen.push_back(std::move(*one));
-    }
-    return chosen;
-}
-
-std::optional<Texts> texts_of(const AccuracyOptions& options, Found& found) {
-    const bool ladders = !options.as_ladder.empty();
-    if (!fill(found, options)) return std::nullopt;
-    auto chosen = choose(found, options);
-    if (!chosen) return std::nullopt;
-    Texts texts{std::move(*chosen), {}, {}};
-    std::vector<const Change*> changes;
-    AsLadders made;
-    if (ladders) {
-        made = as_ladders(found.plan, found.files, found.sources, found.scene, texts.chosen);
-        if (!made.error.empty()) {
-            Diagnostics wrong;
-            wrong.error("no-ladder", made.where.value_or(Span{}), made.error, made.help);
-            fmt::print(stderr, "{}", snell::render(wrong, found.sources));
-            return std::nullopt;
-        }
-        changes.push_back(&made.change);
-        texts.statements = made.statements;
-    } else {
-        for (const Change& change : texts.chosen.front().changes) changes.push_back(&change);
-    }
-    texts.by_path = changed_texts(changes, found.sources);
-    return texts;
-}
-
 Exit write_texts(const AccuracyOptions& options, Found& found) {
-    if (options.html.empty())
-        return complain(exit_usage, "--apply and --as-ladder need a folder to write to", "add -o FOLDER");
-    const auto texts = texts_of(options, found);
-    if (!texts) return exit_input;
-    const WrittenCopy copy = write_copy(options.scenes.front(), options.access, texts->by_path, options.html);
+    if (options.html.empty()) return complain(exit_usage, "--apply needs a folder to write to", "add -o FOLDER");
+    if (!fill(found, options)) return exit_input;
+    std::string error;
+    const auto chosen = choose_changes(options.apply, found.changes, found.sources, error);
+    if (!chosen)
+        return complain(exit_input, error,
+                        "list them by: " + accuracy_command(options.scenes.front(), options.choices) + " --list-found");
+    std::vector<const Change*> changes;
+    for (const Change& change : chosen->changes) changes.push_back(&change);
+    const WrittenCopy copy =
+        write_copy(options.scenes.front(), options.access, changed_texts(changes, found.sources), options.html);
     if (!copy.error.empty()) return complain(exit_input, copy.error);
-    for (const Chosen& chosen : texts->chosen)
-        for (const Change& change : chosen.changes) fmt::print("{}\n", change_line(change, found.sources));
-    for (const std::string& statement : texts->statements) fmt::print("{}\n", statement);
+    for (const Change* change : changes) fmt::print("{}\n", change_line(*change, found.sources));
     fmt::print("wrote {} ({} file{})\n", utf8::printable(copy.scene), copy.files.size(),
                copy.files.size() == 1 ? "" : "s");
     return exit_fine;
 }
 
-// The changes of the rungs that presets would choose of these, the exact one's first.
-std::vector<std::size_t> changes_for_presets(const FoundResult& found) {
-    std::vector<std::size_t> wanted;
-    const std::array<Wish, 3> wishes = quality_wishes();
-    for (auto wish = wishes.rbegin(); wish != wishes.rend(); ++wish) {
-        const auto best = choose(found.timed, *wish);
-        if (!best || *best == found.timed.sweep.current) continue;
-        for (const std::size_t change : found.timed.rungs[*best].steps)
-            if (ranges::find(wanted, change) == wanted.end()) wanted.push_back(change);
-    }
-    return wanted;
-}
-
-// As many of them as can be ladders of one scene; `left_out` gets the others, with the reasons.
-std::vector<Chosen> as_many_ladders(const Sought& sought, const std::vector<std::size_t>& changes,
-                                    std::vector<std::string>& left_out) {
-    const Original& scene = sought.original;
-    std::vector<Chosen> chosen;
-    for (const std::size_t change : changes) {
-        std::string error = "there are enough others";
-        auto one = chosen.size() < most_copied
-                       ? choose_changes(std::to_string(change + 1), sought.found.changes, scene.sources, error)
-                       : std::nullopt;
-        if (one) {
-            chosen.push_back(std::move(*one));
-            error = as_ladders(scene.plan, scene.files, scene.sources, scene_text, chosen).error;
-            if (error.empty()) continue;
-            chosen.pop_back();
-        }
-        left_out.push_back(fmt::format("found rung {} is no ladder of the copy: {}", change + 1, error));
-    }
-    return chosen;
-}
-
 // Not by CLI11's excludes(), which --help would print next to every option.
 bool fits(const CLI::App& command, const AccuracyOptions& options) {
-    const std::string asked = options.list_found ? "--list-found" : options.apply.empty() ? "--as-ladder" : "--apply";
+    const std::string asked = options.list_found ? "--list-found" : "--apply";
     std::set<std::string> fitting{"SCENE", "--limit", "--confine", "--allow", "--timeout", "--ladder", asked};
     fitting.insert(options.list_found ? "--json" : "--output");
     if (!options.list_found) fitting.insert("--context");
@@ -272,15 +173,9 @@ void add_found_rungs(CLI::App& command, AccuracyOptions& options) {
     command.add_flag("--list-found", options.list_found, "list the found rungs with their numbers and measure nothing");
     command.add_option("--apply", options.apply, "write the scene with found rung 3, or 3+7, into the folder -o")
         ->check(check_not_empty);
-    command
-        .add_option("--as-ladder", options.as_ladder,
-                    "the same as ladders, such as 3,7: one for each; the picture stays")
-        ->check(check_not_empty);
 }
 
-bool only_texts(const AccuracyOptions& options) {
-    return options.list_found || !options.apply.empty() || !options.as_ladder.empty();
-}
+bool only_texts(const AccuracyOptions& options) { return options.list_found || !options.apply.empty(); }
 
 Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command) {
     if (!fits(command, options)) return exit_usage;
@@ -292,29 +187,6 @@ Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command) 
     const Exit status = options.list_found ? list_found(options, *found) : write_texts(options, *found);
     deadline.rest();
     return status == exit_fine && found->errors ? exit_input : status;
-}
-
-std::string write_quality_copy(const AccuracyOptions& options, const Sought& sought) {
-    const Original& scene = sought.original;
-    std::vector<std::string> left_out;
-    const std::vector<Chosen> chosen = as_many_ladders(sought, changes_for_presets(sought.found), left_out);
-    for (const std::string& line : left_out) fmt::print("{}\n", utf8::printable(line));
-    if (chosen.empty()) {
-        complain(left_out.empty() ? "no found rung is known to save time, so no copy was written: more --budget tells"
-                                  : "no found rung that saves time can be a ladder, so no copy was written",
-                 scene.plan.scene.ladders.empty() ? "" : "--save-quality writes presets of the scene's own ladders");
-        return {};
-    }
-    const AsLadders made = as_ladders(scene.plan, scene.files, scene.sources, scene_text, chosen);
-    const Change* all = &made.change;
-    const WrittenCopy copy =
-        write_copy(scene.path, options.access, changed_texts(std::span(&all, 1), scene.sources), options.quality_copy);
-    if (!copy.error.empty()) return complain(copy.error), "";
-    for (const Chosen& one : chosen)
-        for (const Change& change : one.changes) fmt::print("{}\n", change_line(change, scene.sources));
-    for (const std::string& statement : made.statements) fmt::print("{}\n", statement);
-    fmt::print("wrote {}\n", utf8::printable(copy.scene));
-    return copy.scene;
 }
 
 }  // namespace snell::app

@@ -1,5 +1,4 @@
-// The part of `snell accuracy` that lists and writes found rungs, without measuring: --list-found, --apply,
-// --as-ladder.
+// The part of `snell accuracy` that lists and writes found rungs, without measuring: --list-found, --apply.
 #pragma once
 
 #include "src/app/commands/advice.h"
@@ -18,10 +17,5 @@ bool only_texts(const AccuracyOptions& options);
 
 // Does so. `command` has the options as they were given.
 Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command);
-
-// Writes a copy of the scene into the folder `options.quality_copy`. The found rungs that presets would choose are
-// ladders there, as --as-ladder writes them, each change a ladder of its own. Prints them, and returns the path of the
-// copy, or prints why there is none and returns "".
-std::string write_quality_copy(const AccuracyOptions& options, const Sought& sought);
 
 }  // namespace snell::app

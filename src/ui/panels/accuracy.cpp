@@ -221,6 +221,8 @@ std::string standing_text(const AccuracyPoint& point) {
             return "worth its time";
         case AccuracyPoint::Standing::saves_none:
             return "costs as much as " + point.by + ", which is more exact";
+        case AccuracyPoint::Standing::unsure:
+            return "not surely cheaper than " + point.by + ", which is more exact";
         case AccuracyPoint::Standing::dominated:
             return point.by + " is better and cheaper";
         case AccuracyPoint::Standing::visited:

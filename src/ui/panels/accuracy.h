@@ -22,13 +22,13 @@ struct Requests;
 // Error and cost of one choice of rungs that was drawn.
 struct AccuracyPoint {
     // visited: was drawn, but not compared with others.
-    enum class Standing : std::uint8_t { visited, front, saves_none, dominated };
+    enum class Standing : std::uint8_t { visited, front, saves_none, unsure, dominated };
     std::string name;  // the rung of the plotted ladder; if rungs of other ladders differ too, all that differ
     std::optional<std::size_t> rung;             // index into the plotted ladder; nullopt if other ladders differ too
     double milliseconds = 0, low = 0, high = 0;  // median, and its confidence interval
     double error = 0;                            // root mean square; 0 is exact
     Standing standing = Standing::visited;
-    std::string by;  // the point that dominates this one, or that costs no more
+    std::string by;  // the point that dominates this one, or that is more exact
     bool chosen = false;
     bool reference = false;  // the last rung of every ladder
 };

@@ -37,6 +37,20 @@ protected:
 constexpr std::string_view full_scene =
     "Vertex full.vert\nFragment full.frag\nProgram Full uGain <1. 1. 1.>\nQuadXY 0 1\n";
 
+// Numbers of the whole picture are of it: black around a quad is alike in both.
+TEST_F(FoundSearch, TheWholePictureHasFiguresOfItsOwn) {
+    folder.write("part.vert", "varying vec2 vP;\nvoid main() { vP = gl_Vertex.xy; gl_Position = vec4(vP, 0., 1.); }\n");
+    folder.write("part.frag", "varying vec2 vP;\nvoid main() { gl_FragColor = vec4(.7 + .2 * vP.x); }\n");
+    read_scene("Background 0 0 0\nVertex part.vert\nFragment part.frag\nProgram Part\nQuadXY 0 .5\n");
+    const FoundResult found = search({change(ChangeKind::fewer_rounds, "* vP.x", "* vP.y")});
+    const Difference& difference = found.rungs.at(0).at.at(0);
+    EXPECT_EQ(difference.whole.pixels, 32u * 32u);
+    EXPECT_EQ(difference.own.pixels, 16u * 16u);
+    EXPECT_NEAR(difference.own.correlation, 0, .05);
+    EXPECT_GT(difference.whole.correlation, .9);
+    EXPECT_NEAR(difference.whole.light.rmse, difference.own.light.rmse / 2, 1e-9) << "a quarter of the pixels";
+}
+
 TEST_F(FoundSearch, AnErrorIsTheOneThatHalfOfTheRoundsMake) {
     // Linear light: 8 rounds of 1/16 give .5, of which 4 rounds are .25; both are encoded by the curve of sRGB.
     write_full(R"(
@@ -408,6 +422,30 @@ TEST_F(FoundSearch, WhatIsLoadedForNothingIsToldInMilliseconds) {
     EXPECT_GT(found.rungs[0].gpu_bytes, 6 * 64 * 64 * 4);
     EXPECT_FALSE(found.rungs[1].load_ms) << "a value takes no memory";
     EXPECT_FALSE(search(changes).rungs[0].load_ms) << "times were not wanted";
+}
+
+// A window rests between the steps.
+TEST_F(FoundSearch, AStepDrawsAPlaceOrTimesARung) {
+    write_full("void main() { float c = .5; c += .1; gl_FragColor = vec4(vec3(c), 1.); }\n");
+    read_scene(full_scene);
+    SearchOptions options;
+    options.rounds = 9;
+    options.at_least = .5;
+    Search found({folder.path("scene.glib"), read->plan, *read->files, read->sources},
+                 {change(ChangeKind::without_term, "c += .1;", ";"), change(ChangeKind::no_draw, "QuadXY 0 1", "")},
+                 caps, {32, 32, 0, {}}, options);
+    std::size_t most = 0, drawn = 0;
+    const auto places = [&] {
+        std::size_t count = 0;
+        for (const FoundRung& rung : found.result().rungs) count += rung.at.size();
+        return count;
+    };
+    while (found.step()) {
+        most = std::max(most, places() - std::min(places(), drawn));
+        drawn = places();
+    }
+    EXPECT_GE(drawn, 4u);
+    EXPECT_EQ(most, 1u) << "places of one rung in a step";
 }
 
 }  // namespace

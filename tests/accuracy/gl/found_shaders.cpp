@@ -105,15 +105,6 @@ TEST_F(FoundShadersGl, AMeanOfFewerSamplesOfOneValueIsTheSame) {
     EXPECT_EQ(difference(path, ChangeKind::fewer_rounds, "i < 16"), 0);
 }
 
-TEST_F(FoundShadersGl, HalfPrecisionIsSeenWhereItIsMagnified) {
-    const auto fragment = [](const std::string& magnified) {
-        return "varying vec3 vP;\nvoid main() { vec3 c = .5 + .37 * vP; gl_FragColor = vec4(" + magnified +
-               ", 1.); }\n";
-    };
-    EXPECT_LE(difference(scene(vertex, fragment("c")), ChangeKind::half_precision, "vP"), 1);
-    EXPECT_GE(difference(scene(vertex, fragment("fract(200. * c)")), ChangeKind::half_precision, "vP"), 8);
-}
-
 // All changes of some scenes compile, in sets that can be made together.
 TEST_F(FoundShadersGl, TheDriverTakesWhatIsOffered) {
     for (const std::string name : {"light/globe/globe", "light/glass/glass", "light/spectrum/spectrum",

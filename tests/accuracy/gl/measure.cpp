@@ -228,6 +228,21 @@ void main() {
     EXPECT_EQ(result.rungs[1].degrees->mean, 0);
 }
 
+// A comment says nothing, and TURN_BACK is another ladder, or a variable.
+TEST_F(Measure, OnlyWordsNameALadder) {
+    folder.write("plain.vert", "void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
+    const std::string scene =
+        "Ladder TURN off <right>\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment turned.frag\nProgram T\nQuadXY 0 .5\n";
+    const auto names = [&](const std::string& code) {
+        folder.write("turned.frag", code + "\nvoid main() { gl_FragColor = vec4(1.); }\n");
+        return bench_of_text(scene, 8, 8).draws_of(0).at(0);
+    };
+    EXPECT_FALSE(names("// TURN\n/* TURN_off TURN */"));
+    EXPECT_FALSE(names("float TURN_BACK, RETURN_TURN;"));
+    EXPECT_TRUE(names("#if TURN == 1\n#endif"));
+    EXPECT_TRUE(names("#ifdef A /* why */\n# if 1 == TURN_off\n#endif\n#endif"));
+}
+
 TEST_F(Measure, LatticeIsEveryCombination) {
     folder.write("sum.vert", "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
     // Each error alone shows; both together cancel.

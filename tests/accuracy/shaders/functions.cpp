@@ -1,10 +1,8 @@
-// Polynomials against double precision, half floats against those of images, and where they are put.
+// Polynomials against double precision, and where they are put.
 #include <bit>
 #include <cmath>
-#include <random>
 
 #include "src/accuracy/found/shaders/shader.h"
-#include "src/content/image/image.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/run/machine.h"
@@ -113,21 +111,6 @@ TEST(FoundPolynomials, PowersWithAnyExponentFromEight) {
     EXPECT_GT(worst, power.bound / 2);
 }
 
-TEST(FoundPolynomials, HalfFloatsAreThoseOfImages) {
-    Function f(polynomial_text("half", "f", "float"), 1);
-    const auto half = [](float x) { return static_cast<double>(content::half_to_float(content::float_to_half(x))); };
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> mantissa(1, 2);
-    for (int exponent = -20; exponent < 15; ++exponent)
-        for (int k = 0; k < 40; ++k) {
-            const float x = std::ldexp(mantissa(random), exponent) * (k % 2 ? -1.F : 1.F);
-            EXPECT_EQ(f(static_cast<double>(x)), half(x)) << x;
-        }
-    for (const float tie :
-         {1 + 0x1p-11F, 1 + 3 * 0x1p-11F, -1 - 0x1p-11F, -1 - 3 * 0x1p-11F, 2 - 0x1p-11F, 0.F, 1.F, 65504.F})
-        EXPECT_EQ(f(static_cast<double>(tie)), half(tie)) << tie;
-}
-
 // ---- where they are put -------------------------------------------------------------------------------------
 
 std::string shader(const std::string& statement) {
@@ -165,19 +148,6 @@ TEST_F(FoundShaders, AllCallsOfAFunctionAreOneChangeToo) {
 
 TEST_F(FoundShaders, CallsWithoutAPolynomialStay) {
     EXPECT_EQ(shaders(shader("gl_FragColor = vec4(tan(vN), sqrt(vN.x) + sin(.5));")).lines(polynomial), Lines{});
-}
-
-TEST_F(FoundShaders, HalfPrecisionRoundsVaryingsAndWhatVariablesBeginWith) {
-    Found& found = shaders(
-        shader("vec3 N = vN; const float c = 2.; float d = N.x; int i = 1; gl_FragColor = vec4(vN.zxy * c, d);"));
-    ASSERT_EQ(found.of(half_precision).size(), 1U);
-    const std::string text = found.changed(*found.of(half_precision)[0], "a.frag");
-    const std::string f = "foundHalf_" + std::to_string(shader("").find("void main"));
-    EXPECT_NE(text.find("vec3 N = " + f + "(" + f + "(vN)); const float c = 2.; float d = " + f +
-                        "(N.x); int i = 1; gl_FragColor = vec4(" + f + "(vN).zxy * c, d);"),
-              std::string::npos)
-        << text;
-    EXPECT_EQ(translation_errors(found, {found.of(half_precision)[0]}), "");
 }
 
 // ---- the vertex shader --------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-// Functions replaced by polynomials whose errors have bounds; values rounded to half precision.
+// Functions replaced by polynomials whose errors have bounds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using glsl::Node;
 constexpr double far_angle = 1000;  // sin and cos: beyond, the fraction of a float turn is coarse
 
 // NAME and TYPE are replaced. GLSL 1.10: no integers, no arrays, no overloads of mix that later versions have.
-constexpr std::array<Polynomial, 8> formulas{{
+constexpr std::array<Polynomial, 7> formulas{{
     {"sin", -far_angle, far_angle, .0012,
      "// sin(x) by t = x/pi in -1..1, y = 4t(1 - |t|), .775y + .225y|y|: error below .0012 for |x| < 1000\n"
      "TYPE NAME(TYPE x) { TYPE t = 2. * fract(.15915494 * x + .5) - 1.; TYPE y = 4. * t * (1. - abs(t)); "
@@ -50,11 +50,6 @@ constexpr std::array<Polynomial, 8> formulas{{
      "TYPE NAME(TYPE y, TYPE x) { TYPE a = abs(x); TYPE b = abs(y); TYPE t = min(a, b) / max(max(a, b), 1.e-30); "
      "TYPE r = t * (1.05839816 - .273 * t); r = mix(r, 1.57079633 - r, step(a, b)); "
      "r = mix(r, 3.14159265 - r, step(x, TYPE(0.))); return mix(-r, r, step(0., y)); }\n"},
-    {"half", -65504, 65504, 0,
-     "// x as a half float has it: s is the distance of its neighbours, 2^-10 of the power of 2 below |x|, at least "
-     "2^-24; ties go to the even one\n"
-     "TYPE NAME(TYPE x) { TYPE s = exp2(floor(log2(max(abs(x), 6.103515625e-5))) - 10.); TYPE r = floor(x / s + .5); "
-     "return (r - (1. - abs(sign(fract(x / s) - .5))) * mod(r, 2.)) * s; }\n"},
 }};
 
 std::string with_names(std::string text, std::string_view name, std::string_view type) {
@@ -231,47 +226,5 @@ Power power_text(std::optional<double> exponent, std::string_view name, std::str
 }
 
 void add_polynomials(const Shader& fragment, Offers& offers) { PolynomialCalls(fragment, offers).run(); }
-
-// Every varying that main reads, and every value that its variables begin with.
-void add_half_precision(const Shader& s, Offers& offers) {
-    const auto main = ranges::find_if(s.unit.functions, [](const auto& f) { return f.name == "main" && f.open >= 0; });
-    if (main == s.unit.functions.end()) return;
-    const int function = static_cast<int>(main - s.unit.functions.begin());
-    const std::optional<Span> ahead = s.ahead_of(function);
-    if (!ahead) return;
-    const std::string name = fmt::format("foundHalf_{}", ahead->begin);
-    std::set<std::string_view> types;
-    std::vector<Edit> edits;
-    std::vector<Span> shown;
-    const auto wrap = [&](int node) {
-        const Span span = s.span(node);
-        shown.push_back(span);
-        edits.push_back(insertion(span, span.begin, name + "("));
-        edits.push_back(insertion(span, span.end, ")"));
-        types.insert(s.at(node).type.name);
-    };
-    for (int n = 0; n < s.nodes(); ++n) {
-        const Node& node = s.at(n);
-        if (node.first < 0 || s.function_of(node.first) != function || !real_vector(node.type)) continue;
-        const std::vector<int> inside = s.parts(n);
-        if (node.form == Form::declarator && !node.constant && inside.size() == 1 && s.own(n) &&
-            s.at(inside[0]).type.same(node.type) && !s.at(inside[0]).constant)
-            wrap(inside[0]);
-        if (node.form != Form::name || node.global < 0 || !s.own(n) || s.written(n)) continue;
-        const glsl::Qualifiers& q = s.unit.globals[static_cast<std::size_t>(node.global)].qualifiers;
-        if (q.storage == glsl::Storage::in && q.interpolation != "flat") wrap(n);
-    }
-    if (edits.empty()) return;
-    std::string helpers;
-    for (const std::string_view type : types) helpers += polynomial_text("half", name, type);
-    edits.push_back({*ahead, helpers});
-    std::sort(shown.begin(), shown.end(), [](const Span& a, const Span& b) {
-        return std::tuple(a.file, a.begin, b.end) < std::tuple(b.file, b.begin, a.end);
-    });
-    std::vector<Span> outer;  // not what is shown within another
-    for (const Span& span : shown)
-        if (outer.empty() || outer.back().file != span.file || outer.back().end < span.end) outer.push_back(span);
-    offers.add(ChangeKind::half_precision, outer, std::move(edits));
-}
 
 }  // namespace snell::accuracy

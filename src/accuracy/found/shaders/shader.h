@@ -143,11 +143,10 @@ void add_lookups(const Shader& fragment, const std::set<FileId>& elsewhere, Mean
 // have the means of textures. Their numbers are missing (Change::probes).
 void add_expression_means(const Shader& fragment, const std::vector<Change>& changes, Offers& offers);
 void add_polynomials(const Shader& fragment, Offers& offers);
-void add_half_precision(const Shader& fragment, Offers& offers);
 void add_vertex_work(const Shader& vertex, const Shader& fragment, Offers& offers);
 
 // The text of a polynomial: a GLSL function of that name and type, float or vec2 to vec4, behind a comment that states
-// formula, range and bound. `function`: sin, cos, exp, acos, asin, atan, atan2 or half.
+// formula, range and bound. `function`: sin, cos, exp, acos, asin, atan or atan2.
 struct Polynomial {
     std::string_view function;
     double from, to;  // the range of its argument for which the bound holds

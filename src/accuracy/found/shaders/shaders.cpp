@@ -94,7 +94,6 @@ void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::v
             add_lookups(*shader, reader.elsewhere, means, offers);
             add_polynomials(*shader, offers);
             add_expression_means(*shader, found, offers);
-            add_half_precision(*shader, offers);
         }
         if (can_share_work(reader, stages))
             add_vertex_work(*stage_of(stages, Stage::vertex), *stage_of(stages, Stage::fragment), offers);

@@ -9,12 +9,16 @@ namespace snell::accuracy {
 
 namespace {
 
-constexpr double equal_times = 1.25, equal_errors = 1.1, different_errors = 1.02, invisible_flip = .02;
+constexpr double equal_times = .25, equal_errors = 1.1, different_errors = 1.02, invisible_flip = .02;
 constexpr std::size_t most_equals = 2;  // next to the scene's own rung
 
 bool has_interval(const SlidePoint& p) { return p.low > 0 && std::isfinite(p.high); }
 
-bool overlap(const SlidePoint& a, const SlidePoint& b) { return a.low <= b.high && b.low <= a.high; }
+// Points of several sweeps have no rounds in common.
+Cost cost_of(const SlidePoint& a, const SlidePoint& b, double within = same_cost) {
+    if (!has_interval(a) || !has_interval(b)) return Cost::not_told;
+    return compare_costs({a.low / b.high, a.milliseconds / b.milliseconds, a.high / b.low}, 0, within);
+}
 
 // By which factor the larger exceeds the smaller; infinite if only one is 0.
 double factor(double a, double b) {
@@ -22,9 +26,7 @@ double factor(double a, double b) {
     return std::max(a, b) / std::min(a, b);
 }
 
-bool same_time(const SlidePoint& a, const SlidePoint& b) {
-    return has_interval(a) && has_interval(b) && overlap(a, b) && factor(a.milliseconds, b.milliseconds) <= equal_times;
-}
+bool same_time(const SlidePoint& a, const SlidePoint& b) { return cost_of(a, b, equal_times) == Cost::equal; }
 
 bool same_error(const SlidePoint& a, const SlidePoint& b) { return factor(a.error, b.error) <= equal_errors; }
 
@@ -91,8 +93,8 @@ private:
     // The cheapest, then the one with the nearest error.
     void add_equal_errors() {
         const auto equal = [&](const SlideRung& rung) {
-            return has_interval(rung.point) && has_interval(own()) && !overlap(rung.point, own()) &&
-                   same_error(rung.point, own());
+            const Cost cost = cost_of(rung.point, own());
+            return (cost == Cost::cheaper || cost == Cost::dearer) && same_error(rung.point, own());
         };
         for (std::size_t i : those(equal, [](const SlideRung& rung) { return rung.point.milliseconds; }))
             if (equal_error_.empty()) add(equal_error_, i);
@@ -160,9 +162,8 @@ bool may_be_on_front(const SlideRung& rung) {
 
 // `b` makes `a` superfluous, by the intervals of their times.
 bool beaten(const SlidePoint& a, const SlidePoint& b) {
-    const bool cheaper = b.high < a.low;
-    const bool more_expensive = b.low > a.high && b.milliseconds > 1.03 * a.milliseconds;
-    return (cheaper && b.error <= 1.001 * a.error) || (!more_expensive && b.error < .99 * a.error);
+    const Cost cost = cost_of(b, a);
+    return (cost == Cost::cheaper && b.error <= 1.001 * a.error) || (cost != Cost::dearer && b.error < .99 * a.error);
 }
 
 }  // namespace

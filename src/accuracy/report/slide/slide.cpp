@@ -257,7 +257,7 @@ std::string left_out(const Report& report, const Shown& shown) {
 std::string why_no_front(const Slide& slide, const SweepResult& main) {
     if (slide.points.empty()) return "no times were measured";
     if (ranges::any_of(slide.points, &SlidePoint::front)) return {};
-    return main.few_rounds ? "too few rounds: no front" : main.control.noisy ? "too noisy: no front" : "no front";
+    return main.few_rounds ? "too few rounds: no front" : "no front";
 }
 
 }  // namespace

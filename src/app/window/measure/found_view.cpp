@@ -12,6 +12,7 @@
 #include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/average.h"
 #include "src/accuracy/found/search.h"
+#include "src/accuracy/report/report.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/write_copy.h"
 #include "src/app/window/measure/found_rows.h"
@@ -162,8 +163,7 @@ void FoundView::end(const char* why) {
     const accuracy::FoundResult& result = sought_->search->result();
     facts_.rows = found_rows(result, sought_->sources, false);
     if (facts_.remark.empty() && result.late) facts_.remark = "The time was up before everything was tried.";
-    if (facts_.remark.empty() && result.timed.control.noisy)
-        facts_.remark = "The machine is too busy to tell which rungs are worth their time.";
+    if (facts_.remark.empty()) facts_.remark = accuracy::noise_sentence(result.timed.control);
     sought_->search.reset();
 }
 

@@ -8,6 +8,7 @@
 #include "parser/text/ranges.h"
 #include "src/accuracy/front.h"
 #include "src/accuracy/metrics.h"
+#include "src/accuracy/report/report.h"
 
 namespace snell {
 
@@ -29,6 +30,8 @@ Standing shown(accuracy::Standing standing) {
             return Standing::dominated;
         case accuracy::Standing::saves_none:
             return Standing::saves_none;
+        case accuracy::Standing::unsure:
+            return Standing::unsure;
         case accuracy::Standing::unknown:
             break;
     }
@@ -141,15 +144,13 @@ void RungCosts::conclude() {
     const accuracy::Control control = accuracy::control(job.times[job.chosen], job.times.back());
     std::vector<accuracy::Point> points;
     for (std::size_t i = 0; i < job.errors.size(); ++i) points.push_back({job.errors[i], job.times[i]});
-    const std::vector<accuracy::Verdict> verdicts = accuracy::pareto_front(points, control.noise);
+    const auto verdicts = accuracy::pareto_front(points, accuracy::costs_of(points, control.noise));
     for (std::size_t i = 0; i < points.size(); ++i) {
         Known& known = known_[job.rungs[i]];
-        known = {points[i].error, points[i].times, control.noisy ? Standing::visited : shown(verdicts[i].standing), {}};
+        known = {points[i].error, points[i].times, shown(verdicts[i].standing), {}};
         if (verdicts[i].by < job.names.size()) known.by = job.names[verdicts[i].by];
     }
-    if (control.noisy)
-        remark_ =
-            "The machine is too busy to tell which rungs are worth their time: one that was timed twice differed.";
+    remark_ = accuracy::noise_sentence(control);
 }
 
 std::vector<ui::AccuracyPoint> RungCosts::points(const Scene& scene, std::size_t ladder, const Rungs& chosen) const {
@@ -167,7 +168,7 @@ std::vector<ui::AccuracyPoint> RungCosts::points(const Scene& scene, std::size_t
             [](const Ladder& each) { return each.rungs.size(); });
         point.error = known.error;
         if (!known.times.empty()) {
-            const accuracy::Interval interval = accuracy::bootstrap_median(known.times);
+            const accuracy::Interval interval = accuracy::median_interval(known.times);
             point.milliseconds = interval.middle;
             point.low = interval.low;
             point.high = interval.high;
