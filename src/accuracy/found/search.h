@@ -65,6 +65,10 @@ struct FoundRung {
     std::optional<double> flip() const;
 };
 
+// Above it, anyone sees the difference: such rungs are folded in reports, and on no plot.
+inline constexpr double most_flip = .06;
+inline bool plainly_visible(const FoundRung& rung) { return rung.flip() > most_flip; }
+
 // Where the scene as it is has pixels that are not finite.
 struct BrokenPlace {
     std::size_t place = 0;  // index into FoundResult::places

@@ -22,9 +22,6 @@ std::string found_words(const FoundResult& found);
 // All rungs of that aim as rungs of a sweep, those that were not timed included.
 SweepResult as_sweep(const FoundResult& found, Aim aim);
 
-// Above it, anyone sees the difference: such rungs are folded in reports, and on no plot.
-inline constexpr double most_flip = .06;
-inline bool plainly_visible(const FoundRung& rung) { return rung.flip() > most_flip; }
 // The same of the rungs of a sweep, whose own scene is never one.
 bool plainly_visible(const SweepResult& sweep, std::size_t rung);
 
