@@ -164,7 +164,7 @@ std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
 std::string noise_sentence(const Control& control) {
     if (!(control.noise > same_cost)) return "";
     return fmt::format(
-        "Costs that differ by less than {:.0f} % are not told apart: the same picture, timed twice, differed so much.",
+        "Differences of costs below {:.0f} % say nothing: the same picture, timed twice, differed so much.",
         100 * control.noise);
 }
 

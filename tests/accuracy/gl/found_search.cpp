@@ -416,7 +416,7 @@ TEST_F(FoundSearch, WhatIsLoadedForNothingIsToldInMilliseconds) {
     const std::vector<Change> changes{change(ChangeKind::no_draw, "QuadXY 0 2", ""),
                                       change(ChangeKind::no_uniform, "uGain <1. 1. 1.>", "")};
     const FoundResult found = search(changes, true);
-    ASSERT_EQ(found.without_effect().size(), 2u);
+    ASSERT_EQ(found.without_effect().size(), 2u) << found.cannot_say << found.rungs[0].reason << found.rungs[1].reason;
     ASSERT_TRUE(found.rungs[0].load_ms) << found.rungs[0].gpu_bytes;
     EXPECT_GT(*found.rungs[0].load_ms, 5) << "light is convolved for every texel";
     EXPECT_GT(found.rungs[0].gpu_bytes, 6 * 64 * 64 * 4);

@@ -233,7 +233,7 @@ TEST_F(Measure, OnlyWordsNameALadder) {
     folder.write("plain.vert", "void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
     const std::string scene =
         "Ladder TURN off <right>\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment turned.frag\nProgram T\nQuadXY 0 .5\n";
-    const auto names = [&](const std::string& code) {
+    const auto names = [&](const std::string& code) -> bool {
         folder.write("turned.frag", code + "\nvoid main() { gl_FragColor = vec4(1.); }\n");
         return bench_of_text(scene, 8, 8).draws_of(0).at(0);
     };
