@@ -57,7 +57,7 @@ struct DeclaredUniform {
     Span span = {};                           // of its name, where it is declared first
 };
 
-// A uniform that keeps its value, column by column: it is written as a constant.
+// A uniform that keeps its value, column by column: what the value decides is written as decided.
 struct Settled {
     std::string name;  // the scene's
     std::vector<double> values;
@@ -69,7 +69,7 @@ using Settler = std::function<std::vector<Settled>(std::span<const DeclaredUnifo
 struct Options {
     Target target;
     std::vector<Define> defines;
-    // None: every uniform stays one. A value that no constant gives exactly, such as an infinity, is not settled.
+    // None: the program is one for any values.
     Settler settle;
     std::string geometry_input, geometry_output;  // "gl_triangles" …, from GeometryInput/GeometryOutput
     bool flat_color = false;                      // the legacy colour varyings are not interpolated
@@ -78,10 +78,9 @@ struct Options {
     bool wide_lines = false;
     // gl_FragCoord is that of the whole picture where only a part of it is drawn: `snell_Place` is added.
     bool placed = false;
-    // Where GLSL leaves a result undefined (x / 0.), it is what it is at run time, even if the driver could fold it:
-    // for a program some of whose uniforms are written as constants, so that its picture stays the same.
-    bool undefined_at_run_time = false;
     bool find_uses = false;  // DeclaredUniform::use is wanted
+    // A number or truth value that is written as a constant: to see what drivers make of its values, never to draw.
+    std::optional<Settled> constant;
     int color_outputs = 1;   // render targets at once: gl_FragColor is written to each
     IncludeReader include;
     Limits limits;  // of includes and of nesting
@@ -124,7 +123,7 @@ struct Translation {
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
     std::vector<DeclaredUniform> declared;  // stage by stage, as the texts declare them; each once
-    std::vector<Settled> settled;           // those of Options::settle that became constants
+    std::vector<Settled> settled;           // those of Options::settle that decide something
     bool uses_alpha = true;                 // false: every colour output is known to have alpha 1
     // Every vertex goes where the model-view-projection matrix puts it, and no stage reads a depth or the projection:
     // the near and the far plane may be moved without any other change.

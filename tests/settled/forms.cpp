@@ -15,7 +15,8 @@ protected:
         folder.write("b.bmp", bmp(1, 1, {{0, 200, 0}}));
         folder.write("two.frag",
                      "#version 330 compatibility\nuniform sampler2D uA, uB;\nuniform float uMix, uGain;\nin vec2 vST;\n"
-                     "void main() { gl_FragColor = vec4(uGain * mix(texture(uA, vST).rgb, texture(uB, vST).rgb, uMix), "
+                     "void main() { gl_FragColor = vec4((uGain > 0. ? uGain : .5) * mix(texture(uA, vST).rgb, "
+                     "texture(uB, vST).rgb, uMix), "
                      "1.); }\n");
         target = gl::make_target(32, 32, 1);
     }

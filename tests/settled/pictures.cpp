@@ -51,7 +51,7 @@ TEST_F(SettledPictures, AreThoseOfUniforms) {
         EXPECT_LE(difference(draw(*settled, small), draw(*general, small)), 1) << path;
         specialised += settled->runtime->counters().specialised_draws > 0;
     }
-    EXPECT_GT(specialised, 25U);
+    EXPECT_GT(specialised, 15U);
 }
 
 TEST_F(SettledPictures, AreThoseOfUniformsAtOtherValues) {

@@ -17,6 +17,7 @@
 #include "src/app/open/exit_status.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
+#include "src/app/picture/non_finite.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/json.h"
 #include "src/document/document.h"
@@ -137,8 +138,14 @@ Exit check(const CheckOptions& options) {
 
 std::unique_ptr<Document> checked_document(const std::string& path, const gl::Caps& caps, bool wants_lint,
                                            double seconds, const RuntimeOptions& options, const Access& access) {
-    auto document = open_document(path, caps, nullptr, wants_lint ? PlanReader(lint) : nullptr, options, access);
+    bool risk = false;
+    const auto read = [&](const Plan& plan, Document& of) {
+        lint(plan, of);
+        risk = may_give_nan(plan, of.sources);
+    };
+    auto document = open_document(path, caps, nullptr, wants_lint ? PlanReader(read) : nullptr, options, access);
     if (wants_lint) add_idle_sliders(*document, seconds > 0 ? seconds / 10 : 1e6);
+    if (risk) warn_of_nan(*document);
     check_unsampled(*document);  // sorts
     return document;
 }

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "src/runtime/runtime.h"
+#include "src/document/document.h"
 
 namespace snell::app {
 
@@ -16,5 +16,10 @@ struct NonFinite {
 // Draws the frame again into floats and counts before values are clamped, except in off-screen targets, which hold
 // bytes. Returns nullopt if the context has no float target.
 std::optional<NonFinite> count_non_finite(Runtime& runtime, const Frame& frame, int width, int height);
+
+// Whether a shader divides, or calls a function that is not defined for every number.
+bool may_give_nan(const Plan& plan, const Sources& sources);
+// Draws a small picture of a scene without errors, and adds a warning for each program that gives NaN in it.
+void warn_of_nan(Document& document);
 
 }  // namespace snell::app

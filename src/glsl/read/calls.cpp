@@ -150,6 +150,7 @@ Expression Parser::cast() {
     ++depth_;
     Expression e = depth_ > 200 ? Expression{} : unary();
     --depth_;
+    if (type.floating() && !e.type.floating()) mark_kept(e, -1);
     emit(Op::construct, 1, {}, type);
     if (e.last >= first + 3) {
         u_.replace(first, "");
@@ -292,7 +293,10 @@ void Parser::call_builtin(Expression& result, std::string_view name, std::vector
         else if (const auto want = parameter_type(code, size))
             convert(given[n], *want, Due::argument);
     }
-    mark_call(result, name, given);
+    if (name == "mod" && given.size() == 2 && !(given[0].constant && given[1].constant)) mark_divisor(given[1]);
+    if (name.ends_with("BitsToFloat") || name.starts_with("unpack")) mark_kept(given[0], -1);
+    if (name == "mix" && given.size() == 3 && given[2].type.base == Base::boolean)
+        for (const Expression* one : {&given[0], &given[1]}) mark_kept(*one, here());
     const std::string_view sampler = given.empty() ? std::string_view() : given.front().type.name;
     if (const auto type = parameter_type(best.result, size)) {
         result.type = *type;
@@ -307,6 +311,7 @@ void Parser::call_builtin(Expression& result, std::string_view name, std::vector
         const Type& m = given.front().type;
         result.type = name == "transpose" ? make_type(m.base, m.cols, m.rows) : m;
     }
+    if (name == "mix" && given.size() == 3) mark_product(result, given[0], given[1], &given[2]);
 }
 
 }  // namespace snell::glsl

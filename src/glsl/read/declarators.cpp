@@ -1,4 +1,6 @@
 // Declarators with their initialisers, and functions.
+#include <span>
+
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
 
@@ -32,12 +34,14 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     dimensions(type, &g.dims);
     g.type = type;
     std::vector<double> value;
+    Expression given;
     // A varying array in a geometry shader, without a direction: one element for each vertex that comes in.
     if (global && q.varying && u_.stage == Stage::geometry && g.type.dims == 1 && q.direction == 0)
         g.qualifiers.storage = Storage::in;
     if (accept("=")) {
         g.init_first = p_;
-        const Expression e = initialiser(type);
+        given = initialiser(type);
+        const Expression& e = given;
         g.init_last = p_ - 1;
         g.init_constant = e.constant;
         if (e.constant) value = e.value;
@@ -47,7 +51,10 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
                 if (u_.at(k).text == "const") u_.replace(k, "");
     }
     if (global && u_.function_names.contains(g.name)) u_.shared_by_kinds.insert(g.name);
+    const int marked = static_cast<int>(u_.marks.size());
     const bool undefined = begins_undefined(q, type, g, global);
+    if (given.first >= 0 && q.storage != Storage::constant) mark_kept(given, here(), !global);
+    for (Mark& m : std::span(u_.marks).subspan(static_cast<std::size_t>(marked))) m.one = here();
     g.variable = variable(g.type);
     emit(Op::declare, g.variable, {}, g.init_first >= 0 ? 1 : undefined ? 2 : 0);
     if (u_.tree) {
@@ -85,6 +92,8 @@ bool Parser::begins_undefined(const Qualifiers& q, const Type& type, const Globa
     if (!whole || again || q.storage != Storage::plain || u_.at(p_ - 1).macro >= 0) return true;
     const std::string zero = zero_of(u_.structs, type);
     if (!zero.empty()) u_.edit(p_ - 1).after += " = " + zero;
+    if (!zero.empty() && settles_ && (type.floating() || !type.basic()))
+        u_.marks.push_back({Mark::Kind::kept, -1, -1, -1, p_ - 1});
     return zero.empty();
 }
 
@@ -160,6 +169,7 @@ void Parser::give_parameter(int name, const Type& type) {
         if (depth == 1 && starts && t == u_.at(name).text && u_.at(i + 1).text == "=") return;
     }
     if (!value.empty()) u_.edit(p_).after += " " + std::string(u_.now(name)) + " = " + value + ";";
+    if (!value.empty() && settles_) u_.marks.push_back({Mark::Kind::kept, -1, -1, -1, p_});
 }
 
 void Parser::function(const Type& result, int first, int name) {

@@ -103,12 +103,14 @@ void Parser::convert(const Expression& e, const Type& due, Due why) {
         due.cols != 1)
         return;
     const Type& have = e.type;
+    if (why == Due::condition && have.base == Base::boolean) return mark_decision(e);
     if (have.base == due.base || have.base < Base::boolean || due.base < Base::boolean || have.base > Base::dreal ||
         due.base > Base::dreal)
         return;
     if (due.base == Base::boolean)
         return forgive(e, due, "number-as-bool",
-                       "a number is used where true or false is expected; it is true unless it is zero");
+                       "a number is used where true or false is expected; it is true unless it is zero"),
+               why == Due::condition ? mark_decision(e) : void();
     if (have.base == Base::boolean)
         return forgive(e, due, "bool-as-number", "true or false is used where a number is expected; it is 1 or 0");
     if (due.integral() && have.floating())
@@ -116,6 +118,7 @@ void Parser::convert(const Expression& e, const Type& due, Due why) {
     const bool to_float = due.floating() && have.integral();
     const bool to_unsigned = due.base == Base::uinteger && have.base == Base::integer;
     if (!to_float && !to_unsigned) return;
+    if (to_float) mark_kept(e, -1);
     if (!target_.es && !(why == Due::result && target_.version < 420) && !(to_unsigned && target_.version < 400))
         return;
     const bool literal = e.first == e.last && u_.at(e.first).kind == Kind::integer;
@@ -190,9 +193,11 @@ Expression Parser::assignment() {
         if (!plain && op != "<<=" && op != ">>=") note_operands(target, value, op.substr(0, 1));
         if (!plain && due.floating()) due = make_type(due.base, value.type.rows);
         if (op != "<<=" && op != ">>=") convert(value, due, plain ? Due::assignment : Due::operand);
-        if (!plain) mark_division(nullptr, value, op.substr(0, 1), here());
+        if (!plain) mark_division(nullptr, value, op.substr(0, 1));
+        if (plain) mark_kept(value, here());
         note_write(target, &value, op);
         emit(Op::assign, 0, op);
+        target.step = here() - 1;
         target.last = value.last >= 0 ? value.last : p_ - 1;
         target.constant = false;
         target.value.clear();
@@ -212,7 +217,7 @@ Expression Parser::ternary() {
     Expression a = expression();
     accept(":");
     Expression b = assignment();
-    emit(Op::choose);
+    const int choice = emit(Op::choose);
     note_operands(a, b, "?:");
     if (a.type.base != b.type.base && a.type.numeric() && b.type.numeric()) {
         const Base base = std::max(a.type.base, b.type.base);
@@ -220,6 +225,8 @@ Expression Parser::ternary() {
         convert(b, make_type(base, b.type.rows), Due::operand);
         if (a.type.base < base) a.type = b.type;
     }
+    for (const Expression* arm : {&a, &b}) mark_kept(*arm, choice);
+    a.step = choice;
     a.constant = a.constant && b.constant && condition.constant;
     a.alpha_one = a.alpha_one && b.alpha_one;
     a.value.clear();
@@ -235,6 +242,7 @@ Expression Parser::combine(Expression a, Expression b, std::string_view op) {
     out.first = a.first;
     out.last = b.last;
     out.constant = a.constant && b.constant;
+    out.step = here() - 1;
     note_operands(a, b, op);
     const bool logical = op == "&&" || op == "||" || op == "^^";
     const bool relation = precedence(op) == 7 || precedence(op) == 8;
@@ -260,11 +268,14 @@ Expression Parser::combine(Expression a, Expression b, std::string_view op) {
         convert(b, make_type(base, b.type.rows), Due::operand);
     }
     if (relation) {
+        for (const Expression* bound : {&a, &b})
+            if (bound->type.integral()) mark_decision(*bound);
         out.type = make_type(Base::boolean);
         return out;
     }
-    mark_division(&a, b, op, here() - 1);
+    mark_division(&a, b, op);
     out.type = arithmetic(a.type, b.type, op);
+    if (op == "*") mark_product(out, a, b, nullptr);
     const bool matrix = a.type.cols > 1 || b.type.cols > 1;
     if (out.constant && !(matrix && op == "*") && (op == "+" || op == "-" || op == "*" || op == "/")) {
         out.value = fold(a.value, b.value, op[0]);
@@ -301,7 +312,10 @@ Expression Parser::unary() {
     note_operand(e, op);
     e.first = first;
     const bool steps = op == "++" || op == "--";
+    Expression operand = e;
+    operand.first = first + 1;
     emit(steps ? Op::step : Op::prefix, 0, op);
+    e.step = here() - 1;
     if (steps) {
         note_write(e, nullptr, op);
         e.constant = false;
@@ -309,8 +323,6 @@ Expression Parser::unary() {
     if (op == "-")
         for (double& v : e.value) v = -v;
     if (op == "!") {
-        Expression operand = e;
-        operand.first = first + 1;
         if (operand.type.scalar()) convert(operand, make_type(Base::boolean), Due::condition);
         e.type = make_type(Base::boolean);
     }

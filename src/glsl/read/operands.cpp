@@ -58,9 +58,10 @@ void Parser::select(Expression& e, std::string_view member) {
 }
 
 // e[…], behind its bracket; false if the bracket is never closed.
-bool Parser::index(Expression& e) {
+bool Parser::index(Expression& e, bool& moves) {
     const Expression at = expression();
     if (at.type.base == Base::real) convert(at, make_type(Base::integer), Due::operand);
+    moves = !at.constant;
     emit(Op::index);
     if (!accept("]")) {
         give_up();
@@ -105,6 +106,7 @@ void Parser::length(Expression& e) {
 Expression Parser::postfix() {
     const int begin = grown();
     Expression e = primary();
+    e.step = here() - 1;
     const auto called = [&] {
         const Token& before = u_.at(std::max(p_ - 1, 0));
         return is("(") && p_ > 0 && (before.text == "]" || before.kind == Kind::integer || before.kind == Kind::real);
@@ -112,8 +114,10 @@ Expression Parser::postfix() {
     for (;;) {
         Form form = Form::other;
         std::string_view word;
+        const bool constant = e.constant;
+        bool moves = false;  // the index may differ
         if (accept("[")) {
-            if (!index(e)) break;
+            if (!index(e, moves)) break;
             form = Form::index;
         } else if (is(".") && token(1).kind == Kind::identifier) {
             const std::string_view member = text(1);
@@ -146,6 +150,8 @@ Expression Parser::postfix() {
             break;
         }
         e.last = p_ - 1;
+        e.step = here() - 1;
+        if (moves && e.type.floating()) mark_kept(e, -1, constant);
         grow(form, begin, e, word);
     }
     return e;
@@ -339,6 +345,8 @@ Expression Parser::construction(const Type& type, int first) {
         return e;
     }
     emit(Op::construct, static_cast<int>(given.size()), {}, e.type);
+    for (const Expression& a : given)
+        if (type.floating() && !a.type.floating()) mark_kept(a, -1);
     if (type.base == Base::structure) {
         const Struct& s = u_.structure(type);
         for (std::size_t n = 0; n < given.size() && n < s.members.size(); ++n)

@@ -13,6 +13,7 @@ namespace snell::glsl {
 struct Expression {
     Type type;
     int first = -1, last = -1;  // tokens
+    int step = -1;              // of Code::steps: the last of its own
     bool constant = true;
     bool alpha_one = false;      // a vec4 whose last component is known to be 1
     std::vector<double> value;   // of constants, where known; column-major
@@ -29,9 +30,9 @@ inline constexpr std::string_view mark_name = "snell_mark";
 
 class Parser {
 public:
-    // `at_run_time`: see Options::undefined_at_run_time.
-    Parser(Unit& unit, const Target& target, Diagnostics& diagnostics, bool at_run_time = false)
-        : u_(unit), target_(target), diagnostics_(diagnostics), at_run_time_(at_run_time) {}
+    // `settles`: some of the uniforms may be settled.
+    Parser(Unit& unit, const Target& target, Diagnostics& diagnostics, bool settles = false)
+        : u_(unit), target_(target), diagnostics_(diagnostics), settles_(settles) {}
     void run();
 
 private:
@@ -85,7 +86,7 @@ private:
     Expression binary(int least);
     Expression unary();
     Expression postfix();
-    bool index(Expression& e);
+    bool index(Expression& e, bool& moves);
     void length(Expression& e);
     Expression primary();
     Expression number();
@@ -108,12 +109,13 @@ private:
     // Remembers operands that the operator does not take.
     void note_operands(const Expression& a, const Expression& b, std::string_view op);
     void note_operand(const Expression& e, std::string_view op);
-    // Marks operands whose result is undefined for some constants. `a` is null where the dividend is assigned.
-    // `step`: the instruction whose operand it is.
-    void mark(const Expression& e, std::string_view function, int step, int operand, bool both);
-    void mark_divisor(const Expression& e, int step);
-    void mark_division(const Expression* a, const Expression& b, std::string_view op, int step);
-    void mark_call(const Expression& call, std::string_view name, const std::vector<Expression>& given);
+    // See marks.cpp. `a` is null where the dividend is assigned.
+    Mark& mark(Mark::Kind kind, const Expression& e);
+    void mark_divisor(const Expression& e);
+    void mark_division(const Expression* a, const Expression& b, std::string_view op);
+    void mark_decision(const Expression& e);
+    void mark_product(const Expression& e, const Expression& a, const Expression& b, const Expression* weight);
+    void mark_kept(const Expression& e, int into, bool written = true);
     void note_write(const Expression& target, const Expression* value, std::string_view op);
     void touch(const Expression& e, bool write);
 
@@ -173,7 +175,7 @@ private:
     Unit& u_;
     const Target& target_;
     Diagnostics& diagnostics_;
-    bool at_run_time_;
+    bool settles_;
     int p_ = 0;
     int depth_ = 0;
     std::set<std::string_view> told_;                      // kinds of forgiveness: one warning each

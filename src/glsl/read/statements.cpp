@@ -171,7 +171,9 @@ void Parser::switch_statement() {
     open_scope();
     Leaving cases;
     if (accept("(")) {
-        cases.value = variable(expression().type);
+        const Expression e = expression();
+        cases.value = variable(e.type);
+        if (e.type.integral()) mark_decision(e);
         emit(Op::declare, cases.value, {}, 1);
         accept(")");
     }
@@ -209,7 +211,11 @@ void Parser::simple_statement() {
     const int first = p_, begin = grown();
     if (accept("return")) {
         const bool value = !is(";");
-        if (value) convert(expression(), result_, Due::result);
+        if (value) {
+            const Expression e = expression();
+            convert(e, result_, Due::result);
+            mark_kept(e, here());
+        }
         emit(Op::back, value ? 1 : 0);
         accept(";");
         grow_statement(Form::returned, begin, first);

@@ -179,17 +179,23 @@ struct StageLayout {
     int last = -1;
 };
 
-// An operand whose result GLSL leaves undefined for some constants. The text has `snell_markN(` in front of it, or, for
-// a call, another function in its place if the mark stays.
-inline constexpr std::string_view divisor_mark = "snell_divisor";
+// An expression that is written otherwise in some programs. The text has `snell_markN(` in front of it until that is
+// known (read/marks.cpp).
 struct Mark {
-    std::string_view function;
-    int step = 0, operand = 0;  // of Code::steps; of its operands
-    int call = -1;              // the token of a call whose operands are both marked
-    bool both = false;          // it matters, too, where the other operand is constant
-    int last = -1;              // the token that the parenthesis follows
-    bool number = false;        // made of numbers of the text only
-    bool known = false;         // and their value is known: a component is 0
+    enum class Kind : std::uint8_t {
+        divisor,   // may be 0
+        decision,  // a condition, or the bound of a loop: a number if it is known
+        weight,    // of a product or mix(): 0 or 1 if that is known, and what it leaves out is finite
+        product,   // with such a weight
+        kept,      // a constant of the text that a driver could follow where decisions are made: it does not see it
+    };
+    Kind kind = Kind::divisor;
+    int step = -1;             // of Code::steps: the one whose result it is
+    int one = -1, other = -1;  // weight: what 0 leaves out, and what 1 does; product: its weights, of Unit::marks;
+                               // kept: the instruction that gives it to a variable
+    int last = -1;             // the token that the parenthesis follows; -1: it can't be written otherwise
+    bool number = false;       // made of numbers of the text only
+    bool known = false;        // and their value is known: a component is 0
 };
 
 struct Node;
@@ -230,7 +236,7 @@ struct Unit {
     std::map<std::string_view, int> built_ins;  // Code::variables of the built-in variables that are named
     std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
-    std::vector<Mark> marks;                        // see read/undefined.cpp
+    std::vector<Mark> marks;                        // see read/marks.cpp
     std::set<std::string_view> legacy_written;      // built-in variables that are assigned
     bool alpha_known = false;                       // some write of a colour output gave it alpha 1
     bool alpha_unknown = false;                     // some write may have given it another

@@ -1,18 +1,25 @@
 // Constants are followed through the code of a stage without regard to the order of its statements: a variable may be
-// constant if one of its assignments is.
+// constant if one of its assignments is, and is surely a number if all of them are that number.
 #include "src/glsl/run/folding.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "parser/text/ranges.h"
+#include "parser/text/real.h"
 
 namespace snell::glsl::run {
 
 namespace {
 
 using Kind = Fold::Kind;
+using Sure = Fold::Sure;
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr int most_walks = 100;
+constexpr double largest = 1e30;  // of what is surely finite in floats, too
 
 struct Item {
     Fold fold;
@@ -21,19 +28,15 @@ struct Item {
 };
 
 bool is_live(const Fold& a) { return a.kind == Kind::live; }
-bool is_settled(const Fold& a) { return a.kind == Kind::settled; }
 
-// Uniforms and numbers take part in what is computed, whether it is constant or not.
-Fold with(Fold fold, const Fold& a, const Fold& b) {
-    fold.from = a.from | b.from;
-    fold.gain = std::max(a.gain, b.gain);
+Fold constant(bool zero) {
+    Fold fold;
+    fold.kind = Kind::constant;
+    fold.zero = zero;
     return fold;
 }
 
-Fold both(const Fold& a, const Fold& b, bool zero) {
-    if (is_live(a) || is_live(b)) return with({}, a, b);
-    return with({std::max(a.kind, b.kind), zero}, a, b);
-}
+Fold both(const Fold& a, const Fold& b, bool zero) { return is_live(a) || is_live(b) ? Fold{} : constant(zero); }
 
 // A difference of floats may be 0 where one of doubles is not.
 bool vanishes(double value, double a, double b) {
@@ -41,8 +44,6 @@ bool vanishes(double value, double a, double b) {
 }
 
 Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
-    // Zero times anything is zero.
-    if (op == "*" && ((is_settled(a) && a.zero) || (is_settled(b) && b.zero))) return with({Kind::settled, true}, a, b);
     Fold result = both(a, b, op == "*" ? a.zero || b.zero : op == "/" ? a.zero : true);
     if (is_live(result) || std::isnan(a.value) || std::isnan(b.value) || op.size() != 1) return result;
     result.value = op == "+"   ? a.value + b.value
@@ -54,32 +55,154 @@ Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
     return result;
 }
 
-// One of them, nobody knows which.
-Fold either(const Fold& a, const Fold& b) {
-    if (is_live(a) && is_live(b)) return with({}, a, b);  // nothing else is known, so that rounds come to an end
-    if (is_live(a) || is_live(b)) return with(is_live(a) ? b : a, a, b);
-    Fold one{std::max(a.kind, b.kind), a.zero || b.zero};
-    if (a.value == b.value) one.value = a.value;
-    return with(one, a, b);
+// ---- what is sure -----------------------------------------------------------------------------------------
+
+// As the stage has it; not known beyond what its type holds, and what drivers may flush to zero.
+Fold& give_number(Fold& fold, Base base, double value, bool exact, std::uint64_t from) {
+    const bool real = base == Base::real, fits = base == Base::boolean || std::abs(value) < 2147483648.;
+    fold.base = base;
+    if (!std::isfinite(value) || (!real && !fits) || (base == Base::uinteger && value < 0) ||
+        (real && (std::abs(value) > largest || (value != 0 && std::abs(value) < 1e-30))) || base == Base::dreal)
+        return fold;
+    fold.sure = Sure::number;
+    fold.exact = exact && (!real || static_cast<double>(static_cast<float>(value)) == value);
+    fold.number = value;
+    fold.most = std::abs(value);
+    fold.from = from;
+    return fold;
 }
 
-constexpr double much = 1000;  // rounding errors become a thousand times as large
+// Of two numbers that may be rounded: whether their order is sure.
+bool apart(const Fold& a, const Fold& b) {
+    return (a.exact && b.exact) ||
+           std::abs(a.number - b.number) > 1e-4 * std::max(std::abs(a.number), std::abs(b.number));
+}
+
+void compute(Fold& result, std::string_view op, const Fold& a, const Fold& b) {
+    const double x = a.number, y = b.number;
+    const bool exact = a.exact && b.exact, whole = std::max(a.base, b.base) < Base::real;
+    const Base base = std::max(a.base, b.base);
+    const auto is = [&](bool value) { give_number(result, Base::boolean, value ? 1 : 0, true, a.from | b.from); };
+    const auto gives = [&](double value) { give_number(result, base, value, exact, a.from | b.from); };
+    if (op == "+") return gives(x + y), void();
+    if (op == "-") return gives(x - y), void();
+    if (op == "*") return gives(x * y), void();
+    if (op == "/" && y != 0) return gives(whole ? std::trunc(x / y) : x / y), void();
+    if (op == "&&") return is(x != 0 && y != 0);
+    if (op == "||") return is(x != 0 || y != 0);
+    if (op == "^^") return is((x != 0) != (y != 0));
+    if (!apart(a, b)) return;
+    if (op == "<") is(x < y);
+    if (op == ">") is(x > y);
+    if (op == "<=") is(x <= y);
+    if (op == ">=") is(x >= y);
+    if (op == "==") is(x == y);
+    if (op == "!=") is(x != y);
+}
+
+double product(double a, double b) { return a < endless && b < endless ? a * b : endless; }
+
+double most_of(std::string_view op, const Fold& a, const Fold& b) {
+    if (op == "+" || op == "-") return a.most + b.most;
+    return op == "*" ? 4 * product(a.most, b.most) : endless;  // of matrices: a sum
+}
+
+bool either_nothing(const Fold& a, const Fold& b) { return a.sure == Sure::nothing || b.sure == Sure::nothing; }
+
+void know_operator(Fold& result, std::string_view op, const Fold& a, const Fold& b) {
+    result.most = either_nothing(a, b) ? 0 : most_of(op, a, b);
+    result.base = std::max(a.base, b.base);
+    result.from = a.from | b.from;
+    if (either_nothing(a, b)) result.sure = Sure::nothing;
+    // What decides alone: the other operand is not looked at.
+    const auto alone = [&](const Fold& one) {
+        return one.sure == Sure::number && ((op == "&&" && one.number == 0) || (op == "||" && one.number != 0));
+    };
+    for (const Fold* one : {&a, &b})
+        if (alone(*one)) return give_number(result, Base::boolean, op == "||" ? 1 : 0, true, one->from), void();
+    if (a.sure == Sure::number && b.sure == Sure::number) compute(result, op, a, b);
+}
+
+// One of them, nobody knows which.
+void know_either(Fold& result, const Fold& a, const Fold& b) {
+    const auto take = [&](const Fold& one) {
+        result.sure = one.sure, result.base = one.base, result.number = one.number, result.exact = one.exact;
+    };
+    if (a.sure == Sure::nothing)
+        take(b);
+    else if (b.sure == Sure::nothing)
+        take(a);
+    else if (a.sure == Sure::number && b.sure == Sure::number && a.number == b.number && a.exact == b.exact)
+        take(a);
+    else
+        result.sure = Sure::anything, result.base = a.base;
+    result.most = std::max(a.most, b.most);
+    result.from = a.from | b.from;
+}
+
+Fold either(const Fold& a, const Fold& b) {
+    Fold one;
+    if (!is_live(a) && !is_live(b)) {
+        one = constant(a.zero || b.zero);
+        if (a.value == b.value) one.value = a.value;
+    } else if (!is_live(a) || !is_live(b)) {
+        const Fold& known = is_live(a) ? b : a;
+        one.kind = known.kind, one.zero = known.zero, one.value = known.value;
+    }
+    know_either(one, a, b);
+    return one;
+}
+
+bool same(const Fold& a, const Fold& b) {
+    const bool value = a.value == b.value || (std::isnan(a.value) && std::isnan(b.value));
+    const bool number = a.sure != Sure::number || (a.base == b.base && a.number == b.number && a.exact == b.exact);
+    return value && number && a.kind == b.kind && a.zero == b.zero && a.sure == b.sure && a.most == b.most &&
+           a.from == b.from;
+}
+
+bool decided(const Fold& fold) { return fold.sure == Sure::number && fold.from != 0; }
+
+// As an operand that is written as decided: see Parser::combine.
+Fold seen(std::string_view op, Fold fold) {
+    const bool logic = op == "&&" || op == "||" || op == "^^";
+    const bool relation = op == "<" || op == ">" || op == "<=" || op == ">=" || op == "==" || op == "!=";
+    const bool whole = fold.base == Base::integer || fold.base == Base::uinteger;
+    if (decided(fold) && (logic || (relation && whole))) fold.kind = Kind::constant;
+    return fold;
+}
 
 class Follower {
 public:
-    explicit Follower(const Unit& unit) : u_(unit), variables_(unit.code.variables.size()) {}
+    explicit Follower(const Unit& unit)
+        : u_(unit),
+          variables_(unit.code.variables.size()),
+          results_(unit.code.steps.size()),
+          given_(variables_.size()) {
+        for (std::size_t n = 0; n < variables_.size(); ++n) {
+            variables_[n].sure = Sure::nothing;
+            variables_[n].most = 0;
+            variables_[n].base = unit.code.variables[n].base;
+        }
+        for (const auto& [name, variable] : unit.built_ins) come_from_outside(variable, {});
+        for (const Block& b : unit.blocks)
+            for (std::size_t k = 0; b.variable >= 0 && k < (b.instance.empty() ? b.members.size() : 1); ++k)
+                come_from_outside(b.variable + static_cast<int>(k), {});
+    }
 
-    void know(int variable, const Fold& fold) {
-        if (variable >= 0) know(variables_[at(variable)], fold);
+    void come_from_outside(int variable, const Fold& fold) {
+        if (variable < 0) return;
+        outside_.insert(variable);
+        variables_[at(variable)] = fold;
     }
     Fold of(int variable) const { return variable < 0 ? Fold{} : variables_[at(variable)]; }
 
     void follow() {
         do {
             changed_ = false;
-            stack_.clear();
-            for (std::size_t step = 0; step < u_.code.steps.size(); ++step) take(u_.code.steps[step], step);
-        } while (changed_);
+            ++rounds_;
+            walk();
+        } while (changed_ && rounds_ < most_walks);
+        if (changed_) results_.assign(results_.size(), {});  // nothing is known
     }
     // Once more, with regard to the order: what a variable was last given in the text. Parameters keep what all calls
     // give them.
@@ -91,36 +214,59 @@ public:
         for (const Function& f : u_.functions)
             for (const Parameter& parameter : f.parameters) keep(parameter.variable);
         for (const Global& g : u_.globals)
-            if (g.qualifiers.storage == Storage::uniform || g.qualifiers.storage == Storage::in) keep(g.variable);
+            if (outside_.contains(g.variable)) keep(g.variable);
         variables_ = std::move(first);
         in_order_ = true;
-        stack_.clear();
-        for (std::size_t step = 0; step < u_.code.steps.size(); ++step) take(u_.code.steps[step], step);
+        walk();
     }
-    // Uniforms in places where nearly the same number gives another result.
-    std::uint64_t touchy() const { return touchy_; }
-    // Of an instruction with two operands.
-    Fold operand(int step, int n) const {
-        const auto found = operands_.find(at(step));
-        return found == operands_.end() ? Fold{Kind::settled, true} : found->second[at(n)];
+    // The result of an instruction; of one that never runs, nothing.
+    const Fold& result(int step) const { return results_[at(step)]; }
+    // The uniforms that take part in numbers whose zeros differ by their sign: 1 / -0.
+    std::uint64_t signs() const { return signs_; }
+    // Whether what the instruction gives to a variable, or returns, is not all that this may be.
+    bool one_of_several(int step) const {
+        const Instruction& i = u_.code.steps[at(step)];
+        if (i.op == Op::choose) return !is_live(conditions_.at(at(step))) || decided(conditions_.at(at(step)));
+        if (i.op == Op::back) {
+            const Function& f = u_.functions[function_at(at(step))];
+            return std::count_if(u_.code.steps.begin() + f.code, u_.code.steps.begin() + f.code_end,
+                                 [](const Instruction& other) { return other.op == Op::back && other.a; }) > 1;
+        }
+        const auto target = targets_.find(at(step));
+        return target == targets_.end() || target->second < 0 || given_[at(target->second)] > 1;
     }
 
 private:
+    static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+    void walk() {
+        stack_.clear();
+        std::fill(given_.begin(), given_.end(), 0);
+        for (const Function& f : u_.functions)
+            for (const Parameter& p : f.parameters)
+                if (p.storage != Storage::in && p.variable >= 0) given_[at(p.variable)] = 2;
+        for (std::size_t step = 0; step < u_.code.steps.size(); ++step) take(u_.code.steps[step], step);
+    }
     void know(Fold& known, const Fold& fold) {
-        const Fold now = either(known, fold);
-        const bool same = now.value == known.value || (std::isnan(now.value) && std::isnan(known.value));
-        changed_ = changed_ || now.kind != known.kind || now.zero != known.zero || !same || now.from != known.from ||
-                   now.gain != known.gain;
+        Fold now = either(known, fold);
+        if (rounds_ > 8 && now.most > known.most) now.most = endless;  // a sum in a loop
+        changed_ = changed_ || !same(now, known);
         known = now;
     }
     // What a variable is given as a whole takes the place of what it was.
-    void give(const Item& target, const Fold& fold) {
-        if (in_order_ && target.whole && target.variable >= 0)
+    void give(const Item& target, Fold fold, std::size_t step) {
+        if (target.variable < 0) return;
+        targets_[step] = target.variable;
+        given_[at(target.variable)] += target.whole ? 1 : 2;
+        const Base base = u_.code.variables[at(target.variable)].base;
+        if (fold.sure == Sure::number && (!target.whole || !u_.code.variables[at(target.variable)].scalar()))
+            fold.sure = Sure::anything;
+        fold.base = base;
+        if (in_order_ && target.whole)
             variables_[at(target.variable)] = fold;
         else
-            know(target.variable, fold);
+            know(variables_[at(target.variable)], fold);
     }
-    static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
     Item pop() {
         if (stack_.empty()) return {};
@@ -139,14 +285,18 @@ private:
         switch (i.op) {
             case Op::assign: {
                 const Item given = pop(), target = pop();
-                operands_[step] = {target.fold, given.fold};
-                const Fold fold =
-                    i.text.size() == 1 ? given.fold : of_operator(i.text.substr(0, 1), target.fold, given.fold);
-                give(target, fold);
-                return push(fold);
+                Fold fold = given.fold;
+                if (i.text == "/=") signs_ |= given.fold.from;
+                if (i.text.size() > 1) {
+                    fold = of_operator(i.text.substr(0, 1), target.fold, given.fold);
+                    if (i.text.size() == 2) know_operator(fold, i.text.substr(0, 1), target.fold, given.fold);
+                }
+                give(target, fold, step);
+                push(fold);
+                break;
             }
             case Op::declare:
-                if (i.b == 1) give({{}, i.a}, pop().fold);
+                declare(i, step);
                 return;
             case Op::drop:
             case Op::unless:
@@ -159,18 +309,36 @@ private:
             case Op::discard:
                 return;
             default:
-                return value(i, step);
+                value(i, step);
         }
+        if (!stack_.empty()) results_[step] = stack_.back().fold;
+    }
+
+    bool global(int variable) const { return ranges::count(u_.globals, variable, &Global::variable) > 0; }
+    void declare(const Instruction& i, std::size_t step) {
+        const Fold given = i.b == 1 ? pop().fold : Fold{};
+        if (i.b == 2 || outside_.contains(i.a) || (i.b == 0 && global(i.a))) return;
+        if (i.b == 1) return give({{}, i.a}, given, step);
+        const Type& type = u_.code.variables[at(i.a)];
+        Fold zero = constant(true);
+        if (type.scalar()) zero.value = 0;
+        zero.most = 0;
+        give({{}, i.a}, type.scalar() ? give_number(zero, type.base, 0, true, 0) : zero, step);
     }
 
     // Pushes one.
     void value(const Instruction& i, std::size_t step) {
         switch (i.op) {
-            case Op::number:
-                return push({Kind::constant, i.number == 0, i.number, 0, std::abs(i.number)});
+            case Op::number: {
+                Fold fold = constant(i.number == 0);
+                fold.value = i.number;
+                const Base base = i.type < 0 ? Base::unknown : u_.code.types[at(i.type)].base;
+                const bool real = base == Base::real;
+                return push(give_number(fold, base, real ? static_cast<float>(i.number) : i.number, true, 0));
+            }
             case Op::length:
                 pop();
-                return push({Kind::constant, false, std::numeric_limits<double>::quiet_NaN(), 0, 0});
+                return push(constant(false));
             case Op::load:
                 return push(of(i.a), i.a);
             case Op::unknown:
@@ -178,42 +346,55 @@ private:
             case Op::select:
                 if (stack_.empty()) return;
                 stack_.back().fold.value = std::numeric_limits<double>::quiet_NaN();
+                if (stack_.back().fold.sure == Sure::number) stack_.back().fold.sure = Sure::anything;
                 stack_.back().whole = false;
                 return;
             case Op::prefix: {
                 Fold fold = pop().fold;
                 fold.value = i.text == "-" ? -fold.value : std::numeric_limits<double>::quiet_NaN();
                 if (i.text != "-" && i.text != "+") fold.zero = true;
+                if (fold.sure == Sure::number && i.text == "!")
+                    give_number(fold, Base::boolean, fold.number == 0 ? 1 : 0, true, fold.from);
+                else if (fold.sure == Sure::number && i.text == "-" && fold.base != Base::uinteger)
+                    fold.number = -fold.number;
+                else if (i.text != "+" && fold.sure == Sure::number)
+                    fold.sure = Sure::anything;
+                if (i.text == "~") fold.most = endless;
                 return push(fold);
             }
             case Op::step: {
                 const Item item = pop();
-                know(item.variable, both(item.fold, {Kind::constant, false}, true));
+                Fold fold = both(item.fold, constant(false), true);
+                give({item.fold, item.variable, false}, fold, step);
                 return push(both(item.fold, item.fold, true));
             }
             case Op::index: {
                 const Fold index = pop().fold;
                 const Item of_what = pop();
-                if (!inside(index, of_what)) touchy_ |= index.from;
-                push(both(of_what.fold, index, of_what.fold.zero), of_what.variable);
+                Fold fold = both(of_what.fold, index, of_what.fold.zero);
+                if (!is_live(of_what.fold)) fold.kind = Kind::constant;  // where the index becomes one
+                fold.most = of_what.fold.most;
+                fold.from = of_what.fold.from | index.from;
+                push(fold, of_what.variable);
                 stack_.back().whole = false;
                 return;
             }
             case Op::infix: {
                 const Fold b = pop().fold, a = pop().fold;
-                operands_[step] = {a, b};
-                if (i.text == "==" || i.text == "!=") touch({{a}, {b}});
-                return push(of_operator(i.text, a, b));
+                if (i.text == "/") signs_ |= b.from;
+                Fold fold = of_operator(i.text, seen(i.text, a), seen(i.text, b));
+                if (i.text == "&&" || i.text == "||")  // one may be enough
+                    for (const Fold* one : {&a, &b})
+                        if (decided(*one)) fold.kind = Kind::constant, fold.zero = true;
+                know_operator(fold, i.text, a, b);
+                return push(fold);
             }
             case Op::choose:
-                return choose();
-            case Op::construct: {
-                const std::vector<Item> given = pop(i.a);
-                if (i.type >= 0 && u_.code.types[at(i.type)].integral()) touch(given);
-                return push(all_of(given, true));
-            }
+                return choose(step);
+            case Op::construct:
+                return construct(i);
             case Op::built_in:
-                return built_in(i, step);
+                return built_in(i);
             case Op::call:
                 return call(i);
             default:
@@ -221,60 +402,100 @@ private:
         }
     }
 
-    void choose() {
+    void choose(std::size_t step) {
         const Fold b = pop().fold, a = pop().fold, condition = pop().fold;
-        const Fold one = either(a, b);
-        const bool may = is_settled(one) || (is_settled(condition) && !is_live(one));
-        if (may) return push(with({Kind::settled, one.zero}, one, condition));
-        push(both(both(a, b, one.zero), condition, one.zero));
+        conditions_[step] = condition;
+        Fold fold = both(both(a, b, a.zero || b.zero), condition, a.zero || b.zero);
+        if (condition.sure == Sure::number) {
+            know_either(fold, condition.number != 0 ? a : b, condition.number != 0 ? a : b);
+            fold.from |= condition.from;
+        } else {
+            know_either(fold, a, b);
+        }
+        const bool told = !is_live(condition) || decided(condition);
+        if (told && !is_live(either(a, b))) fold.kind = Kind::constant, fold.zero = a.zero || b.zero;
+        push(fold);
     }
 
-    // Whether the index is known to be one of an element.
-    bool inside(const Fold& index, const Item& of_what) const {
-        if (of_what.variable < 0 || !of_what.whole || is_live(index)) return false;
-        const Type& type = u_.code.variables[at(of_what.variable)];
-        const int elements = type.dims > 0 ? type.size : type.cols > 1 ? type.cols : type.rows;
-        return index.value >= 0 && index.value < elements;
-    }
-
-    // Where constants meet what differs between pixels, compilers may multiply and add in another order.
-    void touch(const std::vector<Item>& given) {
-        for (const Item& item : given)
-            if (is_live(item.fold)) touchy_ |= item.fold.from;
-    }
-
-    // `any`: one that is settled is enough.
-    static Fold all_of(const std::vector<Item>& items, bool any = false) {
-        Fold all{Kind::constant, false}, one;
+    static Fold all_of(const std::vector<Item>& items) {
+        Fold all = constant(false);
+        bool zero = false;
+        double most = 0;
+        std::uint64_t from = 0;
         for (const Item& item : items) {
-            one = either(one, item.fold);
-            all = both(all, item.fold, one.zero);
+            zero = zero || item.fold.zero;
+            all = both(all, item.fold, zero);
+            most = std::max(most, item.fold.most);
+            from |= item.fold.from;
         }
-        return any && is_settled(one) ? one : all;
+        all.most = most;
+        all.from = from;
+        return all;
     }
 
-    void built_in(const Instruction& i, std::size_t step) {
+    void construct(const Instruction& i) {
         const std::vector<Item> given = pop(i.a);
-        constexpr std::string_view jumps[] = {
-            "fract", "floor", "ceil", "round",          "roundEven",       "trunc",       "mod",
-            "modf",  "sign",  "step", "floatBitsToInt", "floatBitsToUint", "packHalf2x16"};
-        constexpr std::string_view waves[] = {"sin", "cos", "tan"};
-        const bool wave = ranges::count(waves, i.text) > 0 && !given.empty() && given[0].fold.gain >= much;
-        if (wave || ranges::count(jumps, i.text) > 0) touch(given);
-        if (given.size() == 2) operands_[step] = {given[0].fold, given[1].fold};
-        if (i.text == "dot" || i.text == "cross" || i.text == "matrixCompMult") return push(all_of(given, true));
+        Fold fold = all_of(given);
+        const Type type = i.type < 0 ? Type{} : u_.code.types[at(i.type)];
+        for (const Item& item : given)  // one of its components
+            if (!is_live(item.fold)) fold.kind = Kind::constant, fold.zero = fold.zero || item.fold.zero;
+        fold.base = type.base;
+        if (given.size() != 1 || !type.scalar()) return push(fold);
+        if (given[0].fold.sure == Sure::nothing) fold.sure = Sure::nothing;
+        if (given[0].fold.sure != Sure::number) return push(fold);
+        const Fold& a = given[0].fold;
+        const bool whole = type.integral();
+        const bool between =
+            a.exact || std::abs(a.number - std::round(a.number)) > 1e-3 * std::max(1., std::abs(a.number));
+        if (type.base == Base::boolean && (a.exact || a.number != 0))
+            give_number(fold, type.base, a.number != 0 ? 1 : 0, true, a.from);
+        else if (whole ? between : type.base == Base::real)
+            give_number(fold, type.base, whole ? std::trunc(a.number) : a.number, a.exact, a.from);
+        push(fold);
+    }
+
+    void built_in(const Instruction& i) {
+        const std::vector<Item> given = pop(i.a);
         Fold result = all_of(given);
-        if (i.text == "mix" && given.size() == 3 && is_settled(given[2].fold)) {  // it may be the first or the second
-            result = either(given[0].fold, given[1].fold);
-            if (!is_live(result)) result.kind = Kind::settled;
-            result = with(result, result, given[2].fold);
-        }
+        constexpr std::string_view signs[] = {"inversesqrt", "sqrt", "log", "log2", "pow", "atan", "normalize", "mod"};
+        if (ranges::count(signs, i.text) > 0 || i.text.find("Bits") != i.text.npos || i.text.starts_with("pack"))
+            signs_ |= result.from;
         constexpr std::string_view keep_zero[] = {"abs", "sqrt", "min",     "max",    "clamp",
                                                   "mix", "sign", "radians", "degrees"};
         result.zero = !is_live(result) && (result.zero || ranges::count(keep_zero, i.text) == 0);
         if (!is_live(result) && given.size() == 1 && !std::isnan(given[0].fold.value))
             compute(i.text, given[0], result);
+        result.most = bound(i, given, result.most);
+        result.base = i.type < 0 ? Base::unknown : u_.code.types[at(i.type)].base;
+        if (ranges::any_of(given, [](const Item& item) { return item.fold.sure == Sure::nothing; }))
+            result.sure = Sure::nothing;
+        else if (given.size() == 1 && given[0].fold.sure == Sure::number && given[0].fold.exact)
+            round(i.text, given[0].fold, result);
         push(result);
+    }
+
+    static void round(std::string_view name, const Fold& a, Fold& result) {
+        const double x = a.number;
+        if (name == "abs") give_number(result, a.base, std::abs(x), true, a.from);
+        if (name == "floor") give_number(result, a.base, std::floor(x), true, a.from);
+        if (name == "ceil") give_number(result, a.base, std::ceil(x), true, a.from);
+    }
+
+    // What no component is larger than, whatever the arguments are within `most`.
+    double bound(const Instruction& i, const std::vector<Item>& given, double most) const {
+        constexpr std::string_view unit[] = {"sin", "cos", "fract", "step", "sign"};
+        constexpr std::string_view within[] = {"abs", "min", "max", "clamp", "radians"};
+        if (given.empty() || !(most < largest)) most = endless;
+        if (ranges::count(unit, i.text) > 0) return most < endless ? 1 : endless;
+        if (ranges::count(within, i.text) > 0) return most;
+        if (i.text == "floor" || i.text == "ceil") return most + 1;
+        if (i.text == "mix" && given.size() == 3)
+            return product(given[0].fold.most + given[1].fold.most, 1 + given[2].fold.most);
+        if (i.text == "dot") return 4 * product(given[0].fold.most, given[1].fold.most);
+        // Texels are finite: images with others are mended, and targets hold 8 bits.
+        const bool texel =
+            i.text.starts_with("texture") && i.text.find("Quer") == i.text.npos && i.text.find("Size") == i.text.npos;
+        return texel || i.text.starts_with("texelFetch") ? 65504 : endless;
     }
 
     // Of a number, where the result is surely not 0.
@@ -303,88 +524,229 @@ private:
     void call(const Instruction& i) {
         const std::vector<Item> given = pop(i.a);
         Fold result;
+        result.sure = Sure::nothing;
+        result.most = 0;
+        bool known = false;
         for (std::size_t n = 0; n < u_.functions.size(); ++n) {
             const Function& f = u_.functions[n];
             if (f.name != i.text || f.parameters.size() != given.size()) continue;
+            known = known || f.code >= 0;
             for (std::size_t k = 0; k < given.size(); ++k) {
-                if (f.parameters[k].storage != Storage::out) know(f.parameters[k].variable, given[k].fold);
-                if (f.parameters[k].storage != Storage::in) know(given[k].variable, of(f.parameters[k].variable));
+                const int variable = f.parameters[k].variable;
+                if (f.parameters[k].storage != Storage::out && variable >= 0) {
+                    Fold fold = given[k].fold;
+                    fold.base = u_.code.variables[at(variable)].base;
+                    if (!u_.code.variables[at(variable)].scalar() && fold.sure == Sure::number)
+                        fold.sure = Sure::anything;
+                    know(variables_[at(variable)], fold);
+                }
+                if (f.parameters[k].storage != Storage::in && given[k].variable >= 0) {
+                    Fold fold = of(variable);
+                    if (!given[k].whole && fold.sure == Sure::number) fold.sure = Sure::anything;
+                    given_[at(given[k].variable)] += 2;
+                    know(variables_[at(given[k].variable)], fold);
+                }
             }
-            if (const auto known = results_.find(n); known != results_.end()) result = either(result, known->second);
+            if (const auto found = results_of_.find(n); found != results_of_.end())
+                result = either(result, found->second);
         }
-        push(result);
+        push(known ? result : bounded(endless, all_of(given).from));
     }
 
-    void know_result(std::size_t step, const Fold& fold) {
+    std::size_t function_at(std::size_t step) const {
         for (std::size_t n = 0; n < u_.functions.size(); ++n) {
             const Function& f = u_.functions[n];
-            if (f.code < 0 || step < at(f.code) || step >= at(f.code_end)) continue;
-            know(results_[n], fold);
+            if (f.code >= 0 && step >= at(f.code) && step < at(f.code_end)) return n;
         }
+        return u_.functions.size();
+    }
+    void know_result(std::size_t step, Fold fold) {
+        const std::size_t n = function_at(step);
+        if (n == u_.functions.size()) return;
+        fold.base = u_.functions[n].result.base;
+        const auto [known, fresh] = results_of_.try_emplace(n, fold);
+        if (fresh)
+            changed_ = true;
+        else
+            know(known->second, fold);
     }
 
     const Unit& u_;
     std::vector<Fold> variables_;  // by Code::variables
+    std::vector<Fold> results_;    // by instruction, as of the last round
+    std::vector<int> given_;       // by Code::variables: how often it is given something; 2: often
     std::vector<Item> stack_;
-    std::map<std::size_t, std::array<Fold, 2>> operands_;  // by instruction, as of the last round
-    std::map<std::size_t, Fold> results_;                  // by Unit::functions
-    std::uint64_t touchy_ = 0;
+    std::set<int> outside_;                   // variables whose values come from outside
+    std::map<std::size_t, int> targets_;      // by instruction: the variable that it gives something to
+    std::map<std::size_t, Fold> conditions_;  // of Op::choose
+    std::map<std::size_t, Fold> results_of_;  // by Unit::functions
+    std::uint64_t signs_ = 0;
     bool changed_ = false, in_order_ = false;
+    int rounds_ = 0;
 };
-
-}  // namespace
-
-namespace {
 
 // Of a stage whose code is whole.
 Follower followed(const Unit& unit, const std::map<std::string_view, Fold>& settled,
                   std::map<std::string_view, Fold>& passed) {
     Follower follower(unit);
     for (const Global& g : unit.globals) {
-        const auto& known = g.qualifiers.storage == Storage::uniform ? settled : passed;
-        if (g.qualifiers.storage != Storage::uniform && g.qualifiers.storage != Storage::in) continue;
-        if (const auto found = known.find(g.name); found != known.end()) follower.know(g.variable, found->second);
+        const Storage storage = g.qualifiers.storage;
+        const auto& known = storage == Storage::uniform ? settled : passed;
+        if (storage != Storage::uniform && storage != Storage::in && storage != Storage::buffer) continue;
+        const auto found = known.find(g.name);
+        follower.come_from_outside(g.variable, found == known.end() ? Fold{} : found->second);
     }
     follower.follow();
     passed.clear();
-    for (const Global& g : unit.globals)
-        if (g.qualifiers.storage == Storage::out) passed[g.name] = follower.of(g.variable);
+    for (const Global& g : unit.globals) {
+        if (g.qualifiers.storage != Storage::out) continue;
+        Fold& fold = passed[g.name] = follower.of(g.variable);
+        fold.sure = Sure::anything;  // but for rounding
+    }
     return follower;
 }
 
-}  // namespace
-
-std::uint64_t touchy(const Unit& unit, const std::map<std::string_view, Fold>& settled,
-                     std::map<std::string_view, Fold>& passed) {
-    if (unit.code.whole) return followed(unit, settled, passed).touchy();
-    passed.clear();
-    return 0;
+std::string text_of(const Fold& fold) {
+    if (fold.base == Base::boolean) return fold.number != 0 ? "true" : "false";
+    if (fold.base == Base::real) {
+        std::string text = real_text(static_cast<float>(fold.number));
+        return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+    }
+    return std::to_string(static_cast<std::int64_t>(fold.number)) + (fold.base == Base::uinteger ? "u" : "");
 }
 
-std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, Fold>& settled,
-                                  std::map<std::string_view, Fold>& passed) {
+// What is kept does not depend on the values of uniforms, so that all forms of a program compute the same: where one of
+// `free` could decide anything, what a driver could follow if it were a constant. Nothing can be decided where that
+// can't be written.
+struct Kept {
+    bool possible = false;
+    std::vector<bool> stay;  // by Unit::marks
+};
+
+Kept kept(const Unit& unit, const std::map<std::string_view, Fold>& free) {
+    Kept out{false, std::vector<bool>(unit.marks.size())};
+    std::map<std::string_view, Fold> nothing_passed;
+    const Follower follower = followed(unit, free, nothing_passed);
+    const auto constant = [&](int step) { return step < 0 || !is_live(follower.result(step)); };
+    out.possible = ranges::any_of(unit.marks, [&](const Mark& mark) {
+        const bool decides = mark.kind == Mark::Kind::decision || mark.kind == Mark::Kind::weight;
+        return decides && mark.step >= 0 && follower.result(mark.step).from != 0;
+    });
+    for (std::size_t n = 0; out.possible && n < unit.marks.size(); ++n) {
+        const Mark& mark = unit.marks[n];
+        if (mark.kind == Mark::Kind::divisor) {
+            const Base base = follower.result(mark.step).base;
+            out.stay[n] = constant(mark.step) && (base == Base::integer || base == Base::uinteger);
+        }
+        if (mark.kind != Mark::Kind::kept) continue;
+        out.stay[n] = constant(mark.step) && (mark.one < 0 || follower.one_of_several(mark.one));
+        if (out.stay[n] && mark.last < 0) return {false, std::vector<bool>(unit.marks.size())};
+    }
+    return out;
+}
+
+class Decider {
+public:
+    Decider(const Unit& unit, const Follower& follower, std::uint64_t signs)
+        : u_(unit), follower_(follower), signs_(signs) {
+        out_.text.resize(u_.marks.size());
+    }
+    Decided run(const Kept& kept) {
+        out_.stay = kept.stay;
+        out_.possible = kept.possible;
+        for (std::size_t n = 0; kept.possible && n < u_.marks.size(); ++n) decide(n);
+        return std::move(out_);
+    }
+
+private:
+    const Fold& of(int step) const { return follower_.result(step); }
+    void write(std::size_t n, const Fold& fold) {
+        out_.stay[n] = true;
+        out_.text[n] = text_of(fold);
+        out_.from |= fold.from;
+    }
+    // What a compiler folds in every form is left to it.
+    bool finite(int step) const { return step >= 0 && of(step).most < largest && is_live(of(step)); }
+    void decide(std::size_t n) {
+        const Mark& mark = u_.marks[n];
+        const Fold none;
+        const Fold& fold = mark.step < 0 ? none : of(mark.step);
+        const bool known = fold.sure == Sure::number && fold.from != 0;
+        if (mark.kind == Mark::Kind::decision && known && (fold.base != Base::real || fold.exact)) write(n, fold);
+        if (mark.kind == Mark::Kind::weight && known && fold.exact && (fold.from & signs_) == 0 &&
+            ((fold.number == 0 && finite(mark.one)) || (fold.number == 1 && finite(mark.other)))) {
+            write(n, fold);
+            out_.from |= of(fold.number == 0 ? mark.one : mark.other).from;
+        }
+        if (mark.kind == Mark::Kind::product)
+            out_.stay[n] =
+                out_.stay[static_cast<std::size_t>(mark.one)] || out_.stay[static_cast<std::size_t>(mark.other)];
+    }
+
+    const Unit& u_;
+    const Follower& follower_;
+    const std::uint64_t signs_;
+    Decided out_;
+};
+
+}  // namespace
+
+Fold free_number(Base base) {
+    Fold fold = constant(false);
+    fold.base = base;
+    fold.from = 1;
+    return fold;
+}
+
+Fold bounded(double most, std::uint64_t from) {
+    Fold fold;
+    fold.most = most;
+    fold.from = from;
+    return fold;
+}
+
+Fold settled_number(Base base, double value, std::uint64_t from) {
+    // As the uniform holds it.
+    const double held = base == Base::boolean ? (std::abs(value) >= 1 ? 1 : 0)
+                        : base == Base::real  ? static_cast<double>(static_cast<float>(value))
+                                              : std::trunc(value);
+    Fold fold = bounded(std::abs(held), from);
+    return std::signbit(value) && value == 0 ? fold : give_number(fold, base, held, true, from);
+}
+
+std::string number_text(Base base, double value) {
+    const Fold fold = settled_number(base, value, 0);
+    return fold.sure == Sure::number ? text_of(fold) : "";
+}
+
+std::uint64_t signs(const Unit& unit, const std::map<std::string_view, Fold>& settled,
+                    std::map<std::string_view, Fold>& passed) {
+    if (unit.code.whole) return followed(unit, settled, passed).signs();
+    passed.clear();
+    return ~std::uint64_t{0};
+}
+
+Decided decide(const Unit& unit, const std::map<std::string_view, Fold>& settled,
+               const std::map<std::string_view, Fold>& free, std::uint64_t signs,
+               std::map<std::string_view, Fold>& passed) {
     if (!unit.code.whole) {
         passed.clear();
-        std::vector<bool> stay;
-        for (const Mark& mark : unit.marks) stay.push_back(mark.number ? mark.known : !settled.empty());
-        return stay;
+        Decided out;
+        for (const Mark& mark : unit.marks) out.stay.push_back(mark.number && mark.known);
+        out.text.resize(out.stay.size());
+        return out;
     }
     Follower follower = followed(unit, settled, passed);
-    const auto stays = [&](const Mark& mark) {
-        const Fold fold = follower.operand(mark.step, mark.operand),
-                   other = follower.operand(mark.step, 1 - mark.operand);
-        if (mark.both && is_settled(other)) return true;
-        return is_settled(fold) && (fold.zero || mark.function != divisor_mark);
-    };
-    std::vector<bool> stay;
-    ranges::transform(unit.marks, std::back_inserter(stay), stays);
-    if (ranges::count(unit.marks, divisor_mark, &Mark::function) == 0) return stay;
+    Decided out = Decider(unit, follower, signs).run(kept(unit, free));
+    if (ranges::count(unit.marks, Mark::Kind::divisor, &Mark::kind) == 0) return out;
     follower.follow_in_order();
-    for (std::size_t n = 0; n < stay.size(); ++n) {
-        const Fold fold = follower.operand(unit.marks[n].step, unit.marks[n].operand);
-        if (unit.marks[n].function == divisor_mark && fold.kind == Kind::constant && fold.zero) stay[n] = true;
+    for (std::size_t n = 0; n < out.stay.size(); ++n) {
+        const Mark& mark = unit.marks[n];
+        if (mark.kind != Mark::Kind::divisor) continue;
+        const Fold& fold = follower.result(mark.step);
+        if (!is_live(fold) && fold.zero) out.stay[n] = true;
     }
-    return stay;
+    return out;
 }
 
 }  // namespace snell::glsl::run

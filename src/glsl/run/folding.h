@@ -1,7 +1,7 @@
-// Which operands a driver may find constant because settled uniforms are.
+// What is known of a stage's values without a driver: which a driver may find constant by the text, and which are sure
+// while uniforms are settled.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -14,26 +14,47 @@
 namespace snell::glsl::run {
 
 struct Fold {
-    enum class Kind : unsigned char {
-        live,      // it differs between vertices or pixels, or is not known to be constant
-        constant,  // by the text alone
-        settled,   // if the uniforms are constants
-    };
+    // By the text alone.
+    enum class Kind : unsigned char { live, constant };
     Kind kind = Kind::live;
     bool zero = false;                                        // a constant of which a component may be 0
     double value = std::numeric_limits<double>::quiet_NaN();  // of a scalar constant, where known
-    std::uint64_t from = 0;                                   // uniforms that take part, as bits
-    double gain = 0;                                          // the largest number that multiplies it
+
+    // In every run of the stage, while the settled uniforms have their values.
+    enum class Sure : unsigned char { nothing, number, anything };  // never given; always the same; not known
+    Sure sure = Sure::anything;
+    Base base = Base::unknown;
+    double number = 0;
+    bool exact = true;                                      // not rounded
+    double most = std::numeric_limits<double>::infinity();  // no component is larger: surely neither infinite nor NaN
+    std::uint64_t from = 0;                                 // the uniforms that it is known by, as bits
 };
 
-// Uniforms, as bits of Fold::from, that must not become constants: the result of `fract` and the like would not be
-// nearly the same (a hash multiplies by 43758), or an index that is out of bounds another element.
-std::uint64_t touchy(const Unit& unit, const std::map<std::string_view, Fold>& settled,
-                     std::map<std::string_view, Fold>& passed);
+// Of a uniform that may be settled.
+Fold free_number(Base base);
+// Of a value that is not settled, but no component of which is larger.
+Fold bounded(double most, std::uint64_t from);
+// As GLSL writes the number, to the last bit of a float; empty if no text gives it on every driver.
+std::string number_text(Base base, double value);
+// Of a settled number or truth value.
+Fold settled_number(Base base, double value, std::uint64_t from);
 
-// By Unit::marks, whether the mark stays: for divisors that the text alone makes 0, and where settled uniforms count.
-// `passed`: what is known of the stage's inputs; of its outputs when this returns.
-std::vector<bool> marks_that_stay(const Unit& unit, const std::map<std::string_view, Fold>& settled,
-                                  std::map<std::string_view, Fold>& passed);
+struct Decided {
+    std::vector<bool> stay;         // by Unit::marks
+    std::vector<std::string> text;  // what is there instead of an operand; empty: Mark::function is called
+    std::uint64_t from = 0;         // the uniforms that decided
+    bool possible = false;          // values of uniforms could
+};
+
+// The settled uniforms of which the sign of a zero may be seen, as 1 / -0 is another infinity than 1 / 0.
+std::uint64_t signs(const Unit& unit, const std::map<std::string_view, Fold>& settled,
+                    std::map<std::string_view, Fold>& passed);
+
+// Which marks of the unit stay. `signs`: of all units; what they leave out by a weight of 0 keeps no sign. `free`:
+// uniforms that may be settled, whether they are or not. `passed`: what is known of the stage's inputs; of its outputs
+// when this returns.
+Decided decide(const Unit& unit, const std::map<std::string_view, Fold>& settled,
+               const std::map<std::string_view, Fold>& free, std::uint64_t signs,
+               std::map<std::string_view, Fold>& passed);
 
 }  // namespace snell::glsl::run

@@ -47,11 +47,9 @@ std::string smoothstep_function(std::string_view edge, std::string_view type) {
            "; }\n";
 }
 
-// What read/undefined.cpp marks operands with. Nothing folds what a uniform takes part in, and one that is never set
-// is 0.
+// What marks of read/marks.cpp call. Nothing folds what a uniform takes part in, and one that is never set is 0.
 struct MarkText {
     std::string_view name, text, prefix;  // for a scalar; of the vectors that it is repeated for
-    bool two = false;                     // parameters
 };
 constexpr std::string_view live_text =
     "float snell_live(float x) { return intBitsToFloat(floatBitsToInt(x) | snell_Zero); }\n";
@@ -59,22 +57,18 @@ constexpr MarkText marks[] = {
     {"snell_divisor", "float snell_divisor(float x) { return snell_live(x); }\n", "vec"},
     {"snell_divisor", "int snell_divisor(int x) { return x <= 0 ? x | snell_Zero : x; }\n", "ivec"},
     {"snell_divisor", "uint snell_divisor(uint x) { return x == 0u ? uint(snell_Zero) : x; }\n", "uvec"},
-    {"snell_dividend", "int snell_dividend(int x) { return x < 0 ? x | snell_Zero : x; }\n", "ivec"},
     {"snell_value", "float snell_value(float x) { return snell_live(x); }\n", "vec"},
     {"snell_value", "int snell_value(int x) { return x | snell_Zero; }\n", "ivec"},
     {"snell_value", "uint snell_value(uint x) { return x | uint(snell_Zero); }\n", "uvec"},
-    {"snell_base", "float snell_base(float x) { return x > 0.0 ? x : snell_live(x); }\n", "vec"},
-    {"snell_pow", "float snell_pow(float x, float y) { return pow(snell_base(x), x > 0.0 ? y : snell_live(y)); }\n",
-     "vec", true},
+    {"snell_value", "bool snell_value(bool x) { return (int(x) | snell_Zero) != 0; }\n", "bvec"},
 };
 
 std::string by_component(const MarkText& mark, int size) {
     const std::string name(mark.name), type = std::string(mark.prefix) + std::to_string(size);
-    std::string text =
-        type + " " + name + "(" + type + " x" + (mark.two ? ", " + type + " y" : "") + ") { return " + type + "(";
+    std::string text = type + " " + name + "(" + type + " x) { return " + type + "(";
     for (int k = 0; k < size; ++k) {
         const std::string component = std::string(".") + "xyzw"[k];
-        text += (k ? ", " : "") + name + "(x" + component + (mark.two ? ", y" + component : "") + ")";
+        text += (k ? ", " : "") + name + "(x" + component + ")";
     }
     return text + "); }\n";
 }
@@ -84,6 +78,13 @@ std::string undefined_functions() {
     for (const MarkText& mark : marks) {
         text += mark.text;
         for (int size = 2; size <= 4; ++size) text += by_component(mark, size);
+    }
+    for (const std::string_view type : {"mat2", "mat3", "mat4"}) {
+        const std::string t(type);
+        text += t + " snell_value(" + t + " x) { return " + t + "(";
+        for (char column = '0'; column < t.back(); ++column)
+            text += std::string(column > '0' ? ", " : "") + "snell_value(x[" + column + "])";
+        text += "); }\n";
     }
     return text;
 }

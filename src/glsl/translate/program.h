@@ -24,7 +24,7 @@ struct Program {
     std::vector<RenamedUniform> renamed;
     std::vector<LegacyVarying> legacy_varyings;  // set by replace_legacy where lines are widened
     std::vector<DeclaredUniform> declared = {};
-    std::vector<Settled> settled = {};  // what Options::settle answers, less what can't be a constant
+    std::vector<Settled> settled = {};  // those of Options::settle that decide something
 
     const Target& target() const { return options.target; }
     Unit* find(Stage stage) {
@@ -110,12 +110,12 @@ bool widens_lines(const Program& program);
 std::optional<std::string> widen_lines(Program& program);
 // Asks Options::settle, after declared_uniforms.
 void choose_settled(Program& program);
-// Marks of operands stay where settled uniforms may make these constants (read/undefined.cpp); the others go.
+// What the settled uniforms decide is written as decided, and the other marks go (read/marks.cpp).
 void resolve_marks(Program& program);
+// As Options::constant says; Program::settled has it if every stage does.
+void write_constant(Program& program);
 // The functions that marks call.
 void provide_marks(Unit& unit);
-// Settled uniforms become constants.
-void settle_uniforms(const Program& program, Unit& unit);
 // Initialisers that are no constants move to the start of main.
 void move_initialisers(Program& program, Unit& unit);
 // Qualifiers and types as the target wants them; rewrites the declarations marked dirty.

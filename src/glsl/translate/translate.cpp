@@ -35,7 +35,7 @@ void read_units(Program& program, const std::vector<StageInput>& stages) {
 
 void parse(Program& program) {
     for (Unit& u : program.units)
-        Parser(u, program.target(), program.diagnostics, program.options.undefined_at_run_time).run();
+        Parser(u, program.target(), program.diagnostics, program.options.settle != nullptr).run();
 }
 
 void add_default(Program& program, Stage stage, std::string text, std::string name) {
@@ -138,6 +138,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     program.declared = declared_uniforms(program);
     choose_settled(program);
     resolve_marks(program);
+    write_constant(program);
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);
     if (options.target.es && program.units.size() == 2) give_point_size(program.units.front());
@@ -152,7 +153,6 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});
         declare_functions(program, u);
         copy_assigned(program, u);
-        settle_uniforms(program, u);
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);

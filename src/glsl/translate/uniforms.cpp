@@ -149,54 +149,6 @@ void unify_uniforms(Program& program) {
 
 namespace {
 
-template <class Real>
-std::string literal(double value, std::string_view suffix) {
-    std::string text = real_text(static_cast<Real>(value));
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text + std::string(suffix);
-}
-
-// False for what a decimal does not give on every driver: zeros of negative sign, numbers that are too small to be
-// normal, and those that are not finite.
-template <class Real>
-bool exact(double value) {
-    const Real real = static_cast<Real>(value);
-    return std::isnormal(real) || (real == 0 && !std::signbit(real));
-}
-
-// The text of one component, as the uniform would hold it; empty if there is none.
-std::string component_text(Base base, double value) {
-    using Int = std::numeric_limits<std::int32_t>;
-    using Uint = std::numeric_limits<std::uint32_t>;
-    switch (base) {
-        case Base::boolean:
-            return std::abs(value) >= 1 ? "true" : "false";
-        case Base::integer:  // the least integer is no literal
-            return value > Int::min() && value <= Int::max() ? std::to_string(static_cast<std::int32_t>(value)) : "";
-        case Base::uinteger:
-            return value >= 0 && value <= Uint::max() ? std::to_string(static_cast<std::uint32_t>(value)) + "u" : "";
-        case Base::real:
-            return std::abs(value) <= std::numeric_limits<float>::max() && exact<float>(value)
-                       ? literal<float>(value, "")
-                       : "";
-        case Base::dreal:
-            return exact<double>(value) ? literal<double>(value, "lf") : "";
-        default:
-            return "";
-    }
-}
-
-std::string constant_text(const Type& type, const std::vector<double>& values) {
-    if (values.size() != static_cast<std::size_t>(type.rows) * type.cols) return {};
-    std::string text;
-    for (const double value : values) {
-        const std::string component = component_text(type.base, value);
-        if (component.empty()) return {};
-        text += (text.empty() ? "" : ", ") + component;
-    }
-    return type.scalar() ? text : std::string(type_name(type.base, type.rows, type.cols)) + "(" + text + ")";
-}
-
 std::string scene_name(const Program& program, const Global& g) {
     const auto renamed = ranges::find(program.renamed, g.name, &RenamedUniform::shader_name);
     return renamed == program.renamed.end() ? std::string(g.name) : renamed->name;
@@ -204,44 +156,57 @@ std::string scene_name(const Program& program, const Global& g) {
 
 bool is_uniform(const Global& g) { return g.qualifiers.storage == Storage::uniform && !g.removed; }
 
-const Global* declaration(const Program& program, std::string_view name) {
-    for (const Unit& u : program.units)
-        for (const Global& g : u.globals)
-            if (is_uniform(g) && scene_name(program, g) == name) return &g;
-    return nullptr;
-}
-
-}  // namespace
-
-namespace {
-
-// By the shader's names.
-std::map<std::string_view, run::Fold> folds(const Program& program) {
-    using Kind = run::Fold::Kind;
-    std::map<std::string_view, run::Fold> settled;
-    for (std::size_t n = 0; n < program.settled.size(); ++n) {
-        const Settled& one = program.settled[n];
-        run::Fold& fold = settled[one.name] = {Kind::settled, ranges::count(one.values, 0.) > 0};
-        if (one.values.size() == 1) fold.value = one.values[0];
-        for (const double value : one.values) fold.gain = std::max(fold.gain, std::abs(value));
-        fold.from = std::uint64_t{1} << std::min<std::size_t>(n, 63);
+// What is known of the unit's uniforms, by the shader's names.
+std::map<std::string_view, run::Fold> folds(const Program& program, const Unit& u) {
+    constexpr System finite[] = {System::timer, System::time, System::resolution, System::mouse, System::harmonics};
+    static const std::vector<SystemName> names = system_names();
+    std::map<std::string_view, run::Fold> known;
+    for (const Global& g : u.globals) {
+        if (!is_uniform(g)) continue;
+        const auto one = ranges::find(program.settled, scene_name(program, g), &Settled::name);
+        if (one == program.settled.end()) {
+            const auto provided = ranges::find(names, g.name, &SystemName::name);
+            if (provided != names.end() && ranges::count(finite, provided->system) > 0)
+                known[g.name] = run::bounded(1e9, 0);
+            continue;
+        }
+        const std::uint64_t bit = std::uint64_t{1} << std::min<std::ptrdiff_t>(one - program.settled.begin(), 63);
+        double most = 0;
+        for (const double value : one->values)
+            most = std::max(most, std::isfinite(value) ? std::abs(value) : std::numeric_limits<double>::infinity());
+        known[g.name] = g.type.scalar() && one->values.size() == 1
+                            ? run::settled_number(g.type.base, one->values[0], bit)
+                            : run::bounded(most, bit);
     }
-    for (const DeclaredUniform& declared : program.declared)
-        if (!program.options.settle) settled[declared.name] = {Kind::settled, true};
-    for (const RenamedUniform& renamed : program.renamed)
-        if (const auto known = settled.find(renamed.name); known != settled.end())
-            settled[renamed.shader_name] = known->second;
-    return settled;
+    return known;
 }
 
-// Uniforms stay uniforms where nearly the same number gives another picture.
-void drop_touchy(Program& program) {
-    std::map<std::string_view, run::Fold> passed;
-    const std::map<std::string_view, run::Fold> settled = folds(program);
-    std::uint64_t touchy = 0;
-    for (const Unit& u : program.units) touchy |= run::touchy(u, settled, passed);
-    std::size_t n = 0;
-    std::erase_if(program.settled, [&](const Settled&) { return (touchy >> std::min<std::size_t>(n++, 63)) & 1; });
+void write_marks(Unit& u, const run::Decided& decided) {
+    const auto function = [&](std::size_t n) -> std::string {
+        if (!decided.text[n].empty()) return "(true ? " + decided.text[n] + " : ";
+        return u.marks[n].kind == Mark::Kind::divisor ? "snell_divisor(" : "snell_value(";
+    };
+    for (Edit& edit : u.edits)
+        for (std::size_t at = edit.before.find(mark_name); at != std::string::npos;
+             at = edit.before.find(mark_name, at)) {
+            const std::size_t end = edit.before.find('(', at) + 1;
+            const auto n = static_cast<std::size_t>(std::stoi(edit.before.substr(at + mark_name.size())));
+            edit.before.replace(at, end - at, decided.stay[n] ? function(n) : "");
+            if (decided.stay[n]) continue;
+            std::string& after = u.edit(u.marks[n].last).after;
+            after.erase(after.find(')'), 1);
+        }
+    // Zeros that the translator gave.
+    const auto keep_zeros = [](std::string& text) {
+        constexpr std::string_view zero = "0.0", kept = "snell_value(0.0)";
+        for (std::size_t at = text.find(zero); at != std::string::npos; at = text.find(zero, at + kept.size()))
+            text.replace(at, zero.size(), kept);
+    };
+    for (std::size_t n = 0; n < u.marks.size(); ++n)
+        if (decided.stay[n] && u.marks[n].step < 0) keep_zeros(u.edit(u.marks[n].last).after);
+    if (decided.possible) keep_zeros(u.main_start);
+    const bool kept = u.main_start.find("snell_value(") != std::string::npos;
+    if (kept || ranges::count(decided.stay, true) > 0) provide_marks(u);
 }
 
 }  // namespace
@@ -252,64 +217,58 @@ void choose_settled(Program& program) {
     for (const Unit& u : program.units)
         for (const Global& g : u.globals) {
             const bool known = g.init_first < 0 || ranges::count(program.defaults, g.name, &UniformDefault::name) > 0;
-            const bool held = g.type.base != Base::dreal || program.target().fp64;
-            if (is_uniform(g) && (!g.new_type.empty() || !known || !held)) unfit.insert(scene_name(program, g));
+            if (is_uniform(g) && (!g.new_type.empty() || !known)) unfit.insert(scene_name(program, g));
         }
     std::vector<DeclaredUniform> fit;
     for (const DeclaredUniform& declared : program.declared)
         if (declared.simple && !unfit.contains(declared.name)) fit.push_back(declared);
     program.settled = program.options.settle(fit);
     std::erase_if(program.settled, [&](const Settled& settled) {
-        if (ranges::find(fit, settled.name, &DeclaredUniform::name) == fit.end()) return true;
-        const Global* g = declaration(program, settled.name);
-        return !g || constant_text(g->type, settled.values).empty();
+        return ranges::find(fit, settled.name, &DeclaredUniform::name) == fit.end();
     });
-    drop_touchy(program);
+}
+
+void write_constant(Program& program) {
+    const std::optional<Settled>& constant = program.options.constant;
+    if (!constant || constant->values.size() != 1) return;
+    for (Unit& u : program.units)
+        for (Global& g : u.globals) {
+            if (!is_uniform(g) || scene_name(program, g) != constant->name) continue;
+            const std::string text = run::number_text(g.type.base, constant->values[0]);
+            if (text.empty() || !g.type.scalar() || !g.new_type.empty()) return program.settled.clear();
+            // Constants that index an array out of its bounds, or divide by zero, would be errors.
+            g.qualifiers.storage = g.type.integral() ? Storage::plain : Storage::constant;
+            g.qualifiers.layout.clear();
+            g.qualifiers.memory.clear();
+            g.qualifiers.interpolation = {};
+            g.qualifiers.invariant = g.qualifiers.precise = false;
+            g.initial = text;
+            g.drop_init = g.dirty = true;
+            program.settled = {*constant};
+        }
 }
 
 void resolve_marks(Program& program) {
-    const bool at_run_time = program.options.undefined_at_run_time;
-    const std::map<std::string_view, run::Fold> settled = at_run_time ? folds(program) : decltype(folds(program)){};
     std::map<std::string_view, run::Fold> passed;
+    std::uint64_t from = 0, signs = 0;
+    for (const Unit& u : program.units)
+        if (!program.settled.empty()) signs |= run::signs(u, folds(program, u), passed);
+    passed.clear();
     for (Unit& u : program.units) {
-        if (!at_run_time && u.marks.empty()) {
+        if (!program.options.settle && u.marks.empty()) {
             passed.clear();
             continue;
         }
-        const std::vector<bool> stay = run::marks_that_stay(u, settled, passed);
-        for (Edit& edit : u.edits)
-            for (std::size_t at = edit.before.find(mark_name); at != std::string::npos;
-                 at = edit.before.find(mark_name, at)) {
-                const std::size_t end = edit.before.find('(', at);
-                const auto n = static_cast<std::size_t>(std::stoi(edit.before.substr(at + mark_name.size())));
-                if (stay[n]) {
-                    edit.before.replace(at, end - at, u.marks[n].function);
-                    continue;
-                }
-                edit.before.erase(at, end + 1 - at);
-                std::string& after = u.edit(u.marks[n].last).after;
-                after.erase(after.find(')'), 1);
-            }
-        for (std::size_t n = 0; n < stay.size(); ++n)
-            if (stay[n] && u.marks[n].call >= 0) u.replace(u.marks[n].call, u.marks[n].function);
-        if (ranges::count(stay, true) > 0) provide_marks(u);
+        std::map<std::string_view, run::Fold> free;
+        for (const Global& g : u.globals)
+            if (is_uniform(g) && g.type.scalar() && program.options.settle)
+                free[g.name] = run::free_number(g.type.base);
+        const run::Decided decided = run::decide(u, folds(program, u), free, signs, passed);
+        write_marks(u, decided);
+        from |= decided.from;
     }
-}
-
-void settle_uniforms(const Program& program, Unit& u) {
-    for (Global& g : u.globals) {
-        if (!is_uniform(g) || program.settled.empty()) continue;
-        const auto settled = ranges::find(program.settled, scene_name(program, g), &Settled::name);
-        if (settled == program.settled.end()) continue;
-        // Constants that index an array out of its bounds, or divide by zero, would be errors.
-        g.qualifiers.storage = g.type.integral() ? Storage::plain : Storage::constant;
-        g.qualifiers.layout.clear();
-        g.qualifiers.memory.clear();
-        g.qualifiers.interpolation = {};
-        g.qualifiers.invariant = g.qualifiers.precise = false;
-        g.initial = constant_text(g.type, settled->values);
-        g.drop_init = g.dirty = true;
-    }
+    std::size_t n = 0;
+    std::erase_if(program.settled, [&](const Settled&) { return !(from >> std::min<std::size_t>(n++, 63) & 1); });
 }
 
 }  // namespace snell::glsl

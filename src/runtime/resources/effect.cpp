@@ -57,9 +57,9 @@ private:
 
 glsl::Translation Code::translated(const Control& slider, double value) const {
     Diagnostics unheard;  // that of the program itself was heard
-    LinkRequest settled = request_;
-    settled.settle = [&](const auto&) { return std::vector{glsl::Settled{slider.name, {value}}}; };
-    return translate(settled, unheard);
+    LinkRequest one = request_;
+    one.constant = glsl::Settled{slider.name, {value}};
+    return translate(one, unheard);
 }
 
 std::string Code::with(const glsl::Translation& translation) {

@@ -63,6 +63,7 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
         for (const double number : value.values) add(fmt::format("{}", number));
     }
     for (const glsl::RenamedUniform& renamed : translation.renamed) add(renamed.name + '=' + renamed.shader_name);
+    for (const glsl::Settled& settled : translation.settled) add(fmt::format("{}={}", settled.name, settled.values[0]));
     add(fmt::format("{}{}", translation.uses_alpha, translation.plain_depth));
     add(translation.placed_by);
     std::vector<std::string_view> names;
@@ -146,8 +147,10 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.placed = request.variant.placed;
     options.defines = ladder_defines(request.ladders, request.variant.rungs);
     options.color_outputs = request.variant.outputs;
-    options.settle = request.settle;
-    options.undefined_at_run_time = options.find_uses = request.settle != nullptr;
+    // Also for any values: all forms of a program keep the same numbers from being folded.
+    options.settle = request.settle ? request.settle : [](const auto&) { return std::vector<glsl::Settled>(); };
+    options.find_uses = request.settle != nullptr;
+    if (request.constant) options.settle = nullptr, options.constant = request.constant;
     return glsl::translate(request.stages, request.sources, options, diagnostics);
 }
 

@@ -114,6 +114,7 @@ struct LinkRequest {
     Store* store;  // what it has is not compiled again; null: everything is compiled
     Counters& counters;
     glsl::Settler settle = nullptr;
+    std::optional<glsl::Settled> constant = {};  // as glsl::Options
 };
 
 GLenum gl_stage(Stage stage);

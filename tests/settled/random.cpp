@@ -1,0 +1,314 @@
+// Random programs: those for the values of their uniforms give what those for any values give, NaN and discarded pixels
+// included. SNELL_RANDOM_EXPRESSIONS says how many expressions, SNELL_RANDOM_SEED which, SNELL_RANDOM_ES=31 on which
+// version of OpenGL ES.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "tests/hard_case.h"
+#include "tests/settled/settled.h"
+
+namespace snell::test {
+namespace {
+
+constexpr int of_one_program = 10, floats = 6, ints = 3, bools = 2;
+
+int number_of(const char* variable, int otherwise) {
+    const char* text = std::getenv(variable);
+    return text ? std::atoi(text) : otherwise;
+}
+
+// Expressions of uniforms, of what differs between pixels, and of numbers of the text.
+class Writer {
+public:
+    explicit Writer(std::mt19937& random) : random_(random) {}
+
+    template <class... Choices>
+    std::string any(Choices... choices) {
+        const std::string all[] = {choices...};
+        return all[turn(sizeof...(choices))];
+    }
+    std::size_t turn(std::size_t n) { return random_() % n; }
+
+    std::string uniform() { return "uF" + std::to_string(turn(floats)); }
+    std::string whole() { return "uI" + std::to_string(turn(ints)); }
+
+    std::string leaf() {
+        switch (turn(8)) {
+            case 0:
+            case 1:
+            case 2:
+                return uniform();
+            case 3:
+                return any("vST.x", "vST.y", "live.x", "live.y", "live.z", "vK");
+            case 4:
+                return any("0.", "1.", "-1.", "2.", ".5", "zero", "one");
+            case 5:
+                return any("float(" + whole() + ")", "uV.x", "uV.y", "uW.z");
+            default:
+                return any("a", "b", "c", "v.x", "v.y", "float(k)");
+        }
+    }
+    std::string scalar(int depth) {
+        if (depth <= 0) return leaf();
+        const auto s = [&] { return scalar(depth - 1 - static_cast<int>(turn(2))); };
+        switch (turn(14)) {
+            case 0:
+                return "(" + s() + " + " + s() + ")";
+            case 1:
+                return "(" + s() + " - " + s() + ")";
+            case 2:
+            case 3:
+            case 4:
+                return "(" + s() + " * " + s() + ")";
+            case 5:
+            case 6:
+                return "(" + s() + " / " + s() + ")";
+            case 7:
+                return any("sin", "cos", "sqrt", "log", "exp", "inversesqrt", "abs", "exp2", "log2", "atan", "fract",
+                           "floor", "sign", "length", "acos") +
+                       "(" + s() + ")";
+            case 8:
+                return any("pow", "mod", "atan", "min", "max", "step", "quotient", "raised", "chosen") + "(" + s() +
+                       ", " + s() + ")";
+            case 9:
+                return "mix(" + s() + ", " + s() + ", " + any(uniform(), uniform(), s()) + ")";
+            case 10:
+                return any("smoothstep", "clamp") + "(" + s() + ", " + s() + ", " + s() + ")";
+            case 11:
+                return "(" + condition(depth - 1) + " ? " + s() + " : " + s() + ")";
+            case 12:
+                return any("normalize(" + vector(depth - 1) + ").x", "dot(" + vector(depth - 1) + ", v)",
+                           "length(" + vector(depth - 1) + ")",
+                           "(" + vector(depth - 1) + " / " + vector(depth - 1) + ").y",
+                           "texture(uPicture, " + vector(depth - 1) + ".xy).r * " + uniform());
+            default:
+                return "-(" + leaf() + ")";
+        }
+    }
+    std::string vector(int depth) {
+        return any("vec3(" + scalar(depth) + ", " + scalar(depth) + ", " + leaf() + ")", "vec3(" + scalar(depth) + ")",
+                   "(uV * " + leaf() + ")", "(uV - uW)", "v", "(live * " + uniform() + ")",
+                   "mix(v, uV, " + uniform() + ")");
+    }
+    std::string condition(int depth) {
+        return any(uniform() + any(" > ", " < ", " == ", " != ", " >= ") + any("0.", ".5", "1.", uniform()), "uB0",
+                   "!uB1", "uB0 && " + scalar(depth) + " > 0.", "uB1 || " + scalar(depth) + " > 0.", whole() + " == 1",
+                   "k > " + whole(), scalar(depth) + " < " + scalar(depth), "int(" + uniform() + ") == 1", "on",
+                   whole() + " < " + whole());
+    }
+    std::string statement(int depth) {
+        const std::string target = any("a", "b", "c", "v.x", "v.y");
+        switch (turn(12)) {
+            case 0:
+            case 1:
+                return fmt::format("{} = {};", target, scalar(depth));
+            case 2:
+                return fmt::format("{} {} {};", target, any("+=", "*=", "-=", "/="), scalar(depth - 1));
+            case 3:
+                return fmt::format("v = {};", vector(depth - 1));
+            case 4:
+            case 5:
+                return fmt::format("if ({}) {{ {} }}", condition(depth - 1), statement(depth - 1));
+            case 6:
+                return fmt::format("if ({}) {} = {}; else {} = {};", condition(depth - 1), target,
+                                   any("0.", "1.", scalar(depth - 1)), target, scalar(depth - 1));
+            case 7:  // few, and none within another, because LLVM takes long for them
+                if (loops_++ > 0) return fmt::format("{} = float(k);", target);
+                return fmt::format("for (int i = 0; i < {}; ++i) {} {} {};",
+                                   any(whole(), "k", "int(" + uniform() + ")"), target, any("+=", "*=", "="),
+                                   any("float(i)", "pow(a, float(i))", "float(i) * " + leaf(), scalar(depth - 1),
+                                       "list[i % 5]", "(i == 0 ? 0. : " + leaf() + ")"));
+            case 8:
+            case 9:
+                return fmt::format("set({}, {});", target, scalar(depth - 1));
+            case 10:
+                return any(fmt::format("k = {};", any(whole(), "0", "2", "k + 1")), "on = " + condition(0) + ";");
+            default:
+                return fmt::format("if ({}) {};", condition(depth - 1), any("discard", target + " = 0."));
+        }
+    }
+
+    std::string statements() {
+        loops_ = 0;
+        std::string text;
+        for (std::size_t k = 2 + turn(4); k-- > 0;) text += statement(2) + "\n";
+        return text;
+    }
+
+private:
+    std::mt19937& random_;
+    int loops_ = 0;
+};
+
+struct Values {
+    std::vector<double> f, v;
+    std::vector<int> i, b;
+};
+
+// 0, 1, -1, ends of ranges, and equal pairs.
+Values some_values(std::mt19937& random) {
+    const double of[] = {0, 0, 0, 1, 1, -1, 2, .5, 10, 100, -5, 1e-3, 3.7};
+    Values values;
+    for (int n = 0; n < floats; ++n)
+        values.f.push_back(n > 0 && random() % 4 == 0 ? values.f[random() % values.f.size()] : of[random() % 13]);
+    for (int n = 0; n < 6; ++n)
+        values.v.push_back(n > 2 && random() % 2 == 0 ? values.v[static_cast<std::size_t>(n - 3)] : of[random() % 13]);
+    for (int n = 0; n < ints; ++n) values.i.push_back(static_cast<int>(random() % 5) - (random() % 8 == 0 ? 1 : 0));
+    for (int n = 0; n < bools; ++n) values.b.push_back(static_cast<int>(random() % 2));
+    return values;
+}
+
+std::string declared() {
+    std::string text = "uniform vec3 uV, uW;\n";
+    for (int n = 0; n < floats; ++n) text += fmt::format("uniform float uF{};\n", n);
+    for (int n = 0; n < ints; ++n) text += fmt::format("uniform int uI{};\n", n);
+    for (int n = 0; n < bools; ++n) text += fmt::format("uniform bool uB{};\n", n);
+    return text;
+}
+
+std::string set(const Values& values) {
+    std::string text;
+    for (int n = 0; n < floats; ++n) text += fmt::format(" uF{} {}", n, values.f[static_cast<std::size_t>(n)]);
+    for (int n = 0; n < ints; ++n) text += fmt::format(" uI{} {}", n, values.i[static_cast<std::size_t>(n)]);
+    for (int n = 0; n < bools; ++n) text += fmt::format(" uB{} {}", n, values.b[static_cast<std::size_t>(n)]);
+    const auto& v = values.v;
+    return text + fmt::format(" uV [{} {} {}] uW [{} {} {}]", v[0], v[1], v[2], v[3], v[4], v[5]);
+}
+
+constexpr std::string_view functions =
+    "const float zero = 0., one = 1.;\nconst float list[5] = float[5](0., 1., -1., .5, 0.);\n"
+    "float quotient(float x, float y) { float w = y * .5; w += y * .5; return x / w; }\n"
+    "float raised(float x, float y) { if (y == 0.) return 1.; if (y == 1.) return x; return pow(x, y); }\n"
+    "float chosen(float x, float y) { float r = 0.; if (uB0) r = x; if (uF0 > .5) r *= y; return r; }\n"
+    "void set(out float r, float x) { r = 0.; if (uB1) r = x; }\n";
+
+class RandomPrograms : public SettledTest {
+protected:
+    void SetUp() override {  // OpenGL ES, where a driver has nothing else
+        if (const int es = number_of("SNELL_RANDOM_ES", 0)) request = {es, true, false, false};
+        SettledTest::SetUp();
+    }
+    // `statements`: of each expression, and of the vertex shader.
+    std::string scene(const std::vector<std::string>& statements, const Values& values) {
+        const std::string name = "any";
+        const std::string head = "#version 330 compatibility\n" + declared();
+        folder.write(name + ".vert",
+                     head +
+                         "out vec2 vST;\nout float vK;\nvoid main() {\nvST = gl_MultiTexCoord0.st;\nvK = "
+                         "0.;\nif (uB1) vK = uF1 * vST.x;\nif (uI0 > 2) vK = uF2;\ngl_Position = "
+                         "gl_ModelViewProjectionMatrix * gl_Vertex;\n}\n");
+        std::string text = head + "uniform sampler2D uPicture;\nin vec2 vST;\nin float vK;\n" + std::string(functions);
+        std::string cases;
+        for (std::size_t n = 0; n < statements.size(); ++n) {
+            text += fmt::format(
+                "vec4 e{}(vec3 live) {{\nfloat a = vST.x, b = 0., c = 1.;\nvec3 v = vec3(0., vST.y, -1.);\nint k = 0;\n"
+                "bool on = uB0;\n{}return vec4(a, b, c, v.x + v.y);\n}}\n",
+                n, statements[n]);
+            cases += fmt::format("if (at == {}) gl_FragColor = e{}(live);\n", n, n);
+        }
+        text +=
+            "void main() {\nint at = int(gl_FragCoord.x);\nvec3 live = vec3(gl_FragCoord.y - .5, gl_FragCoord.y - 2.5, "
+            "vST.x - .5);\ngl_FragColor = vec4(0.);\n" +
+            cases + "}\n";
+        folder.write(name + ".frag", text);
+        folder.write(name + ".glib", "Texture2D 5 a.bmp\nBlend off\nOrtho -1 1 -1 1\nVertex " + name +
+                                         ".vert\nFragment " + name + ".frag\nProgram P uPicture 5" + set(values) +
+                                         "\nQuadXY\n");
+        return folder.path(name + ".glib");
+    }
+    std::vector<float> floats_of(Document& document) {
+        constexpr int rows = 4;
+        const gl::Target target = gl::make_target(of_one_program, rows, 1, gl::Pixels::rgba32f);
+        const View view;
+        document.runtime->draw({0, view, document.controls}, {target.framebuffer.get(), of_one_program, rows});
+        return gl::read_rgba32f(target.framebuffer.get(), of_one_program, rows, 1);
+    }
+};
+
+// Finite, infinite with its sign, or NaN; a discarded pixel has the background's alpha.
+bool alike(float a, float b) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
+    if (std::isinf(a) || std::isinf(b)) return a == b;
+    return std::abs(std::clamp(a, 0.F, 1.F) - std::clamp(b, 0.F, 1.F)) <= 1.F / 255;
+}
+
+// Expressions of which a pixel differs.
+std::vector<std::size_t> unlike(const std::vector<float>& a, const std::vector<float>& b) {
+    std::vector<std::size_t> found;
+    for (std::size_t n = 0; n < of_one_program; ++n)
+        for (std::size_t i = n * 4; i < a.size(); i += of_one_program * 4) {
+            if (alike(a[i], b[i]) && alike(a[i + 1], b[i + 1]) && alike(a[i + 2], b[i + 2]) &&
+                alike(a[i + 3], b[i + 3]))
+                continue;
+            found.push_back(n);
+            break;
+        }
+    return found;
+}
+
+std::string shown(const std::vector<float>& pixels, std::size_t n) {
+    std::string text;
+    for (std::size_t i = n * 4; i < pixels.size(); i += of_one_program * 4)
+        text += fmt::format("{} {} {} {}\n", pixels[i], pixels[i + 1], pixels[i + 2], pixels[i + 3]);
+    return text;
+}
+
+TEST_F(RandomPrograms, GiveWhatThoseForAnyValuesGive) {
+    folder.write("a.bmp", bmp(2, 1, {{200, 0, 0}, {10, 255, 0}}));
+    const int programs = number_of("SNELL_RANDOM_EXPRESSIONS", 400) / of_one_program;
+    std::size_t ours = 0, specialised = 0;
+    for (int program = 0; program < programs; ++program) {
+        std::mt19937 random(static_cast<unsigned>(number_of("SNELL_RANDOM_SEED", 1) * 100000 + program));
+        Writer writer(random);
+        std::vector<std::string> statements;
+        for (int n = 0; n < of_one_program; ++n) statements.push_back(writer.statements());
+        const Values values = some_values(random);
+        const std::string path = scene(statements, values);
+        auto any = open_file(path), settled = open_settled(path);
+        expect_clean(*any);
+        expect_clean(*settled);
+        if (any->diagnostics.errors() > 0) return;
+        const std::vector<float> pixels = floats_of(*any), others = floats_of(*settled);
+        for (const std::size_t n : unlike(pixels, others)) {
+            ++ours;
+            ADD_FAILURE() << "program " << program << ", expression " << n << ":" << set(values) << "\n"
+                          << statements[n] << shown(pixels, n) << "for these values:\n"
+                          << shown(others, n);
+        }
+        specialised += settled->runtime->counters().specialised_draws > 0;
+    }
+    EXPECT_EQ(specialised, static_cast<std::size_t>(programs));
+    hard_case(
+        {"A60",
+         "random programs: x / 0., 0. * log(0.), pow(-2., 2.), loops and branches where values of uniforms decide: "
+         "as for any values",
+         "expressions that differ",
+         0,
+         static_cast<double>(ours),
+         {}});
+}
+
+// Written in scenes of students: 0 / 0 in every pixel, which a compiler drops if it knows the value.
+TEST_F(RandomPrograms, ZeroByZeroStaysWhatItIs) {
+    for (const char* body :
+         {"float k = uK * r; float c = sin(k) / k;", "float c = sin(r * uK) / (r * uK);",
+          "float c = 0.; if (uOn) c = log(uK * r) * uK; else c = r;", "float c = pow(uK - 2., uK + 2.);",
+          "float c = uK * inversesqrt(uK * r);", "vec2 v = normalize(vec2(uK)); float c = v.x * uK;"}) {
+        folder.write("zero.frag",
+                     "#version 330 compatibility\nuniform float uK;\nuniform bool uOn;\nin vec2 vST;\n"
+                     "void main() {\nfloat r = length(vST - .5);\n" +
+                         std::string(body) + "\ngl_FragColor = vec4(.5 + .5 * c, 0., 0., 1.);\n}\n");
+        folder.write("zero.glib",
+                     "Blend off\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment zero.frag\nProgram P uK <0. 0. 1.> "
+                     "uOn <true>\nQuadXY\n");
+        auto any = open_file(folder.path("zero.glib")), settled = open_settled(folder.path("zero.glib"));
+        expect_clean(*any);
+        EXPECT_TRUE(unlike(floats_of(*any), floats_of(*settled)).empty()) << body;
+    }
+}
+
+}  // namespace
+}  // namespace snell::test
