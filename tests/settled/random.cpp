@@ -310,5 +310,29 @@ TEST_F(RandomPrograms, ZeroByZeroStaysWhatItIs) {
     }
 }
 
+// What is left without a value where a check box is off is zero in every form, and so is the sign of a zero.
+TEST_F(RandomPrograms, WhatIsLeftOutIsTheSame) {
+    folder.write("a.bmp", bmp(2, 1, {{200, 0, 0}, {10, 255, 0}}));
+    const std::string start =
+        "#version 330 compatibility\nuniform float uK;\nuniform bool uOn;\nuniform sampler2D uT;\n"
+        "in vec2 vST;\n";
+    for (const char* body :
+         {"void main() { if (uOn) gl_FragColor = vec4(.5); }",
+          "void main() { if (uOn) return; if (uK > 1.) gl_FragColor = vec4(.5); gl_FragColor.g += .1; }",
+          "out vec4 color;\nvoid main() { if (uOn) color = vec4(vST, .5, 1.); }",
+          "vec3 c;\nvoid main() { if (uOn) c = vec3(.5); gl_FragColor = vec4(c, 1.); }",
+          "vec3 f(vec2 at) { if (uOn) return vec3(at, 1.); }\nvoid main() { gl_FragColor = vec4(f(vST), 1.); }",
+          "void main() { gl_FragColor = vec4(atan(uK * (texture(uT, vST).r - .5), vST.x - .5)); }",
+          "void main() { gl_FragColor = vec4(1. / (uK * (texture(uT, vST).r - .5))); }"}) {
+        folder.write("left.frag", start + body + "\n");
+        folder.write("left.glib",
+                     "Texture2D 5 a.bmp\nBlend off\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment left.frag\n"
+                     "Program P uT 5 uK <0. 0. 1.> uOn <false>\nQuadXY\n");
+        auto any = open_file(folder.path("left.glib")), settled = open_settled(folder.path("left.glib"));
+        expect_clean(*any);
+        EXPECT_TRUE(unlike(floats_of(*any), floats_of(*settled)).empty()) << body;
+    }
+}
+
 }  // namespace
 }  // namespace snell::test

@@ -250,15 +250,32 @@ void give(const Program& program, Unit& u, const Block& b) {
 }  // namespace
 
 void give_outputs(const Program& program, Unit& u) {
-    for (const Global& g : u.globals) {  // other globals are kept in memory, which the driver clears
-        const bool structure = g.type.structure >= 0 && g.type.dims == 0 && g.init_first < 0;
-        if (structure && g.qualifiers.storage == Storage::plain && !g.removed &&
-            !u.structure(g.type).name.starts_with("snell_"))
+    for (const Global& g : u.globals) {
+        const bool variable = g.qualifiers.storage == Storage::plain && g.type.dims == 0 && g.init_first < 0;
+        if (variable && !g.removed && !g.name.starts_with("snell_") && !builtin(g) &&
+            (g.type.structure < 0 || !u.structure(g.type).name.starts_with("snell_")))
             give(u, g);
     }
-    if (u.stage == Stage::tess_control || u.stage == Stage::fragment) return;
+    // What a function gives back that ends without `return`.
+    for (const Function& f : u.functions) {
+        const std::string value = f.open < 0 || f.name.starts_with("snell") ? "" : zero_of(u.structs, f.result);
+        int first = f.close - 1;
+        while (first > f.open + 1 && std::string_view(";{}").find(u.at(first - 1).text) == std::string_view::npos)
+            --first;
+        if (value.empty() || u.at(f.close - 1).macro >= 0 || u.at(first).text == "return") continue;
+        u.edit(f.close - 1).after += " return " + value + ";";
+        if (program.options.settle) u.marks.push_back({Mark::Kind::kept, -1, -1, -1, f.close - 1});
+    }
+    const auto assigns_color = [&](int i) { return u.at(i).text == "gl_FragColor" && u.at(i + 1).text == "="; };
+    if (u.stage == Stage::fragment && mentions(u, "gl_FragColor") && !mentions(u, "gl_FragData") &&
+        !always_written(u, assigns_color))
+        at_main_start(u, "snell_FragColor = vec4(0.0);");
+    if (u.stage == Stage::tess_control) return;
     for (const Global& g : u.globals)
-        if (g.qualifiers.storage == Storage::out && !g.removed && !builtin(g)) give(u, g);
+        if (g.qualifiers.storage == Storage::out && !g.removed && !builtin(g) &&
+            (u.stage != Stage::fragment || (g.written && !g.name.starts_with("snell_"))))
+            give(u, g);
+    if (u.stage == Stage::fragment) return;
     for (const Block& b : u.blocks)
         if (b.qualifiers.storage == Storage::out && !b.arrayed && !b.name.starts_with("gl_") &&
             !b.name.starts_with("snell_"))
