@@ -67,6 +67,14 @@ TEST_F(Compare, LimitsMakeItATest) {
     }
     EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50 --threshold 1.9/255").status, 1);
     EXPECT_EQ(compare("a.bmp b.bmp --max-pixels 50 --threshold 2.1/255").status, 0);
+    // Exactly as many steps are not more, whatever the colour is.
+    for (const auto& [from, to] : {std::pair(0, 8), {37, 54}, {100, 129}, {200, 255}}) {
+        grey("c.bmp", from);
+        grey("d.bmp", to);
+        const auto most = [](int steps) { return "c.bmp d.bmp --max-pixels 0 --threshold " + std::to_string(steps); };
+        EXPECT_EQ(compare(most(to - from) + "/255").status, 0) << from;
+        EXPECT_EQ(compare(most(to - from - 1) + "/255").status, 1) << from;
+    }
     EXPECT_EQ(compare("a.bmp b.bmp --max-flip 1e-5").status, 1);
     EXPECT_EQ(compare("a.bmp b.bmp --max-flip 2").status, 2);
     EXPECT_EQ(compare("a.bmp").status, 2);
