@@ -143,10 +143,12 @@ TEST_F(GradeClass, TheSceneWithTheUniformsIsMeant) {
     // Two that have all uniforms: the rubric says which.
     scene("s/eve", paint, ball, "new.glib");
     folder.write("s/eve/old.glib", ball);
+    scene("s/q\"\\", paint, ball, "a'\"\n.glib");
+    folder.write("s/q\"\\/old.glib", ball);
     scene("s/leo/1", paint, ball, "new.glib");
     folder.write("s/leo/1/old.glib", ball + "Torus .1 .2\n");
     ASSERT_EQ(run("cd '" + at("s") + "' && tar czf zoe.tgz -C leo/1 . && rm -r leo").status, 0);
-    EXPECT_EQ(rows(), "ann:2 bob:2 eve:0 kim:2 zoe:0 ") << said;
+    EXPECT_EQ(rows(), "ann:2 bob:2 eve:0 kim:2 q\"\\:0 zoe:0 ") << said;
     EXPECT_NE(said.find("of the scenes 'mine.glib', 'test.glib', 'mine.glib' is judged: it has the most of the "
                         "rubric's uniforms (uKd)"),
               std::string::npos)
@@ -155,10 +157,10 @@ TEST_F(GradeClass, TheSceneWithTheUniformsIsMeant) {
     EXPECT_EQ(problem("eve"),
               "it is not clear which scene is meant: 'new.glib', 'old.glib'; the rubric settles it by a "
               "line below [scenes]: \"eve\" = \"new.glib\"");
-    folder.write(
-        "r.toml",
-        head + items + "[scenes]\neve = \"old.glib\"\nzoe = \"new.glib\"\nann = \"nothere.glib\"\nevi = \"x.glib\"\n");
-    EXPECT_EQ(rows(), "ann:0 bob:2 eve:2 kim:2 zoe:2 ") << said;
+    const std::string line = problem("q\"\\");
+    folder.write("r.toml", head + items + "[scenes]\n" + line.substr(line.find("[scenes]: ") + 10) +
+                               "\neve = \"old.glib\"\nzoe = \"new.glib\"\nann = \"nothere.glib\"\nevi = \"x.glib\"\n");
+    EXPECT_EQ(rows(), "ann:0 bob:2 eve:2 kim:2 q\"\\:2 zoe:2 ") << said;
     EXPECT_EQ(result("eve")["scene"], "old.glib");
     EXPECT_EQ(result("zoe")["scene"], "new.glib");
     EXPECT_EQ(problem("ann").find("there is no scene 'nothere.glib', which the rubric's [scenes] names; there is "
@@ -168,6 +170,25 @@ TEST_F(GradeClass, TheSceneWithTheUniformsIsMeant) {
     EXPECT_NE(said.find("[scenes] names 'evi', but there is no such submission\n   help: did you mean 'eve'?"),
               std::string::npos)
         << said;
+}
+
+TEST_F(GradeClass, ScenesInArchivesAreCandidatesToo) {
+    scene("s/bob/old", "broken");
+    ASSERT_EQ(run("cd '" + at("s") +
+                  "' && tar czf bob/final.tgz -C ann . && tar czf in.tgz -C ann . && "
+                  "tar czf kim.tgz --transform 's,^,deep/,' in.tgz && rm in.tgz")
+                  .status,
+              0);
+    EXPECT_EQ(rows(), "ann:2 bob:0 kim:2 ") << said;
+    EXPECT_EQ(result("kim")["scene"], "deep/in.tgz/ball.glib");
+    EXPECT_EQ(
+        problem("bob"),
+        "it is not clear which scene is meant: 'final.tgz/ball.glib', 'old/ball.glib'; the rubric settles it by a "
+        "line below [scenes]: \"bob\" = \"final.tgz/ball.glib\"");
+    folder.write("r.toml", head + items + "[scenes]\nbob = \"final.tgz/ball.glib\"\n");
+    EXPECT_EQ(rows(), "ann:2 bob:2 kim:2 ") << said;
+    folder.write("r.toml", head + items + "[scenes]\nbob = \"old/ball.glib\"\n");
+    EXPECT_EQ(rows(), "ann:2 bob:0 kim:2 ") << said;
 }
 
 TEST_F(GradeClass, RunsTellHowFarTheyAreWithoutATerminal) {
@@ -180,27 +201,35 @@ TEST_F(GradeClass, RunsTellHowFarTheyAreWithoutATerminal) {
 }
 
 TEST_F(GradeClass, CtrlCKeepsWhatWasJudged) {
-    std::string slow = paint, rubric = head + items;
+    std::string slow = paint;
     slow.replace(slow.find("float d ="), 9,
                  "float x = n.x;\n  for (int i = 0; i < 60000; ++i) for (int j = 0; j < 1000; ++j) x = fract(sin(x) * "
                  "43758.5);\n  float d = min(x, 0.) + ");
     scene("s/zoe", slow);
-    folder.write("r.toml", rubric.replace(rubric.find("timeout = 10"), 12, "timeout = 100"));
-    const std::string judged = "grep -q '\"key\": \"[0-9a-f]*\"' out/students/ann/result.json";
-    const Outcome stopped =
-        run("cd '" + folder.path() +
-            "' && { " SNELL_BIN
-            "/snell grade r.toml s -o out --jobs 1 2>told & }; "
-            "i=0; until [ -e out/students/zoe/result.json ] || [ $i -gt 3000 ]; do sleep .01; i=$((i + 1)); done; " +
-            judged + " && kill -INT $!; wait $!; echo status $?; cat told");
+    folder.write("r.toml", with(head + items, "timeout = 10", "timeout = 100"));
+    const auto interrupted = [&] {
+        return run("cd '" + folder.path() +
+                   "' && { rm -f out/students/zoe/result.json; " SNELL_BIN
+                   "/snell grade r.toml s -o out --jobs 1 2>told & }; "
+                   "i=0; until [ -e out/students/zoe/result.json ] || [ $i -gt 3000 ]; do sleep .01; i=$((i + 1)); "
+                   "done; grep -q '\"key\": \"[0-9a-f]*\"' out/students/ann/result.json && kill -INT $!; wait $!; "
+                   "echo status $?; cat told");
+    };
+    const Outcome stopped = interrupted();
     EXPECT_TRUE(stopped.says("status 130")) << stopped.output;
     EXPECT_TRUE(stopped.says(
-        "snell: interrupted: 1 of 2 submissions are judged and kept in 'out'; the same command judges the rest"))
+        "snell: interrupted: 1 of 2 submissions are judged and kept in 'out'; the same command judges the rest\n"))
         << stopped.output;
     EXPECT_FALSE(fs::exists(at("out/index.html")));
     scene("s/zoe");
     EXPECT_TRUE(grade("r.toml s -o out").says("2 submissions, 1 of them judged before"));
     EXPECT_EQ(result("zoe")["points"], 2);
+    // What is there is of the earlier run, and another rubric.
+    scene("s/zoe", slow);
+    folder.write("r.toml", with(bytes_of(at("r.toml")), "no_errors", "points = 3\nno_errors"));
+    EXPECT_TRUE(
+        interrupted().says("rest; 'index.html', 'results.csv' and the other pages and tables in it are of an "
+                           "earlier run\n"));
 }
 
 TEST_F(GradeClass, LimitsOfSubmissionsCanBeChanged) {

@@ -37,10 +37,6 @@ protected:
     }
     using Items = std::vector<std::string>;
     using Points = std::vector<double>;
-    static std::string with(std::string text, const std::string& from, const std::string& to) {
-        text.replace(text.find(from), from.size(), to);
-        return text;
-    }
     std::string last;
 };
 
@@ -182,6 +178,9 @@ TEST_F(Grade, TheCauseIsToldFirst) {
     EXPECT_EQ(points_of(broken, with(paint, "float d", "float e"), two), (Points{0, 0, 0, 0, 4})) << last;
     for (std::size_t at = 0, item = 0; item < 4; ++item, at = last.find('\n', at) + 1)
         EXPECT_EQ(last.find("ball.frag:7:", at), at) << "item " << item << '\n' << last;
+    // A shader is empty because what it includes is.
+    EXPECT_EQ(points("no_errors = true\n", "#version 330 compatibility\n#include \"none.inc\"\n"), 0);
+    EXPECT_EQ(last.find("ball.frag:2:1: cannot read the included file 'none.inc'"), 0u) << last;
     // It is no merit that a uniform does not matter which nothing reads.
     EXPECT_EQ(points("set = { uMix = 1 }\nthan = { uMix = 0 }\nexpect = \"same\"\n", paint,
                      with(ball, "uKd", "uMix <0. 0. 1.> uKd")),
@@ -242,7 +241,7 @@ TEST_F(Grade, DeductionsCostPoints) {
     folder.write("r.toml", head +
                                "[[item]]\npoints = 4\nno_errors = true\n"
                                "[[item]]\nname = \"Handed in in time\"\ndeduct = 1.5\nexcept = [\"ann\", \"b*\", "
-                               "\"zoe\"]\n[[item]]\ndeduct = 1\nnamed = \"ball.glib\"\n"
+                               "\"zoe\", \"EVE\"]\n[[item]]\ndeduct = 1\nnamed = \"ball.glib\"\n"
                                "[[item]]\ndeduct = 9\nset = { uKd = 0 }\nexpect = \"darker\"\n");
     scene("s/ann");
     scene("s/bob", paint, ball, "mine.glib");
@@ -250,6 +249,7 @@ TEST_F(Grade, DeductionsCostPoints) {
     scene("s/kim", with(paint, "uKd * d", "d"));
     const Outcome made = grade("r.toml s -o out");
     EXPECT_TRUE(made.says("warning: 'except' names 'zoe', but there is no such submission")) << made.output;
+    EXPECT_TRUE(made.says("warning: 'except' names 'EVE', but there is no such submission")) << made.output;
     EXPECT_FALSE(made.says("reference-fails")) << made.output;
     EXPECT_EQ(results()["points"], 4);
     EXPECT_EQ(results()["items"][1]["points"], 0);
@@ -311,6 +311,10 @@ TEST_F(Grade, ANewRubricGivesItsSceneAllPoints) {
     const Outcome printed = grade("--new reference/ball.glib");
     EXPECT_TRUE(printed.says("uKd = \"float 0..1\"")) << printed.output;
     EXPECT_EQ(grade("--new reference/ball.glib -o -").output, printed.output);
+    const Outcome below =
+        run("cd '" + at("reference") + "' && " SNELL_BIN "/snell grade --new ball.glib -o ../up.toml");
+    EXPECT_EQ(below.status, 0) << below.output;
+    EXPECT_NE(bytes_of(at("up.toml")).find("reference = \"reference/ball.glib\""), std::string::npos);
     scene("broken", "oops", ball + "Teepot\n");
     EXPECT_EQ(grade("--new broken/ball.glib").status, 1);
 }

@@ -45,6 +45,11 @@ protected:
         return one.is_null() ? "" : bytes_of(at(report + "/" + one["folder"].get<std::string>() + "/index.html"));
     }
 
+    static std::string with(std::string text, const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+        return text;
+    }
+
     static inline const std::string ball =
         "##OpenGL GLIB\nPerspective 60\nLookAt 0 0 3  0 0 0  0 1 0\nVertex ball.vert\nFragment ball.frag\n"
         "Program Ball uKd <0. .7 1.> uRed <0. .9 1.> uSide <-1. .3 1.>\nSphere 1\n";

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_entries = 100'000;
 
 struct SceneFile {
-    std::string path;
+    std::string folder, path;  // path: relative to the folder
     bool preferred = false;
     int depth = 0;
     std::set<std::string> uniforms = {};
@@ -34,7 +34,7 @@ std::string listed(const std::vector<SceneFile>& scenes) {
     return text + (scenes.size() > 8 ? ", …" : "");
 }
 
-// True for "a/b.glib" and "b.glib".
+// True for "a/b.glib" and "b.glib". Messages have printable names, and rubrics what messages have.
 bool ends_with_path(std::string_view path, std::string_view end) {
     if (path.size() < end.size() || !same_word(path.substr(path.size() - end.size()), end)) return false;
     return path.size() == end.size() || path[path.size() - end.size() - 1] == '/';
@@ -54,13 +54,14 @@ bool is_hidden(std::string_view name) {
            same_word(name, "desktop.ini");
 }
 
-bool fits_pattern(std::string_view name, std::string_view pattern) {
+bool fits_pattern(std::string_view name, std::string_view pattern, bool exact) {
+    const auto alike = [exact](char a, char b) { return exact ? a == b : lower(a) == lower(b); };
     std::size_t n = 0, p = 0, star = pattern.npos, mark = 0;
     while (n < name.size()) {
         if (p < pattern.size() && pattern[p] == '*') {
             star = p++;
             mark = n;
-        } else if (p < pattern.size() && (pattern[p] == '?' || lower(pattern[p]) == lower(name[n]))) {
+        } else if (p < pattern.size() && (pattern[p] == '?' || alike(pattern[p], name[n]))) {
             ++p;
             ++n;
         } else if (star != pattern.npos) {
@@ -74,11 +75,13 @@ bool fits_pattern(std::string_view name, std::string_view pattern) {
     return p == pattern.size();
 }
 
-FoundScene find_scene(const std::string& folder, const WantedScene& wanted) {
+FoundScene find_scene(const std::vector<std::string>& folders, const WantedScene& wanted) {
     FoundScene found;
     std::vector<SceneFile> scenes, others;  // others: with names that do not fit
     std::size_t entries = 0;
-    const std::error_code unread = content::walk(folder, [&](const fs::path& file, fs::file_status status, int depth) {
+    std::error_code unread;
+    std::string folder;
+    const auto visit = [&](const fs::path& file, fs::file_status status, int depth) {
         const std::string name = file.filename().string();
         if (++entries > most_entries) return content::Walk::end;
         if (is_hidden(name)) return content::Walk::past;
@@ -86,11 +89,16 @@ FoundScene find_scene(const std::string& folder, const WantedScene& wanted) {
         const std::string path = file.lexically_relative(folder).string();
         if (is_archive(path)) found.archives.push_back(file.string());
         const bool fits = wanted.named.empty() ? fits_pattern(name, wanted.pattern.empty() ? "*.glib" : wanted.pattern)
-                                               : ends_with_path(path, wanted.named);
+                                               : ends_with_path(path, wanted.named) ||
+                                                     ends_with_path(utf8::printable(path), wanted.named);
         if (fits || has_extension(name, "glib"))
-            (fits ? scenes : others).push_back({path, same_word(name, wanted.preferred), depth});
+            (fits ? scenes : others).push_back({folder, path, same_word(name, wanted.preferred), depth});
         return content::Walk::on;
-    });
+    };
+    for (const std::string& one : folders) {
+        folder = one;
+        if (const std::error_code error = content::walk(folder, visit); error) unread = error;
+    }
     ranges::sort(found.archives);
     const auto by_path = [](const SceneFile& a, const SceneFile& b) { return a.path < b.path; };
     std::sort(scenes.begin(), scenes.end(), by_path);
@@ -107,11 +115,10 @@ FoundScene find_scene(const std::string& folder, const WantedScene& wanted) {
         for (const SceneFile& other : others) found.several.push_back(other.path);
         return found;
     }
-    found.archives.clear();
     const auto place = [](const SceneFile& scene) { return std::pair(!scene.preferred, scene.depth); };
     const std::vector<SceneFile> all = scenes;
     if (scenes.size() > 1 && wanted.uniforms && wanted.named.empty()) {
-        for (SceneFile& scene : scenes) scene.uniforms = wanted.uniforms((fs::path(folder) / scene.path).string());
+        for (SceneFile& scene : scenes) scene.uniforms = wanted.uniforms(scene.folder, scene.path);
         keep_first(scenes, [](const SceneFile& scene) { return scene.uniforms.empty(); });
         keep_first(scenes, place);
         keep_first(scenes, [](const SceneFile& scene) { return -static_cast<std::ptrdiff_t>(scene.uniforms.size()); });
@@ -124,6 +131,7 @@ FoundScene find_scene(const std::string& folder, const WantedScene& wanted) {
     }
     keep_first(scenes, place);
     if (scenes.size() == 1) {
+        found.folder = scenes.front().folder;
         found.scene = scenes.front().path;
         return found;
     }

@@ -39,7 +39,8 @@ void warn_of_lists(const Rubric& rubric, const std::vector<Submission>& submissi
         for (const RubricItem* part : item.parts())
             for (const std::string& name :
                  part->kind == RubricItem::Kind::except ? part->names : std::vector<std::string>())
-                if (ranges::none_of(submissions, [&](const Submission& one) { return fits_pattern(one.name, name); }))
+                if (ranges::none_of(submissions,
+                                    [&](const Submission& one) { return fits_pattern(one.name, name, true); }))
                     fmt::print(stderr, "snell: warning: 'except' names '{}', but there is no such submission\n",
                                utf8::printable(name));
 }
@@ -95,8 +96,11 @@ private:
         fs::remove_all(output_ / ".unpacked", error);
         fmt::print(stderr,
                    "snell: interrupted: {} of {} submissions are judged and kept in '{}'; the same command judges the "
-                   "rest\n",
-                   grades_.all.size() - open + judged_, grades_.all.size(), utf8::printable(options_.output));
+                   "rest{}\n",
+                   grades_.all.size() - open + judged_, grades_.all.size(), utf8::printable(options_.output),
+                   fs::exists(output_ / "index.html", error) ? "; 'index.html', 'results.csv' and the other pages and "
+                                                               "tables in it are of an earlier run"
+                                                             : "");
         Interrupt::end();
     }
 

@@ -13,6 +13,7 @@
 #include "src/app/grade/find_scene.h"
 #include "src/app/grade/idle_sliders.h"
 #include "src/app/grade/relations.h"
+#include "src/app/grade/rubric/table.h"
 #include "src/app/grade/similarity.h"
 #include "src/app/grade/unpack.h"
 #include "src/app/open/complain.h"
@@ -98,36 +99,33 @@ private:
     // Finds the scene, and makes the submission's folder the working directory.
     bool enter() {
         std::error_code error;
-        std::string folder = work_.path;
+        const fs::path unpacked = fs::path(work_.unpacked) / "all", inner = fs::path(work_.unpacked) / "archives";
         access_.limits = work_.limits;
         access_.allow = rubric_.shared;
         FoundScene found;
-        if (fs::is_regular_file(work_.path, error) && is_archive(work_.path)) {
-            folder = work_.unpacked;
-            unpack_into(work_.path, folder);
-            found = scene_in(folder);
-        } else if (fs::is_regular_file(work_.path, error)) {
-            folder = fs::path(work_.path).parent_path().string();
+        if (fs::is_regular_file(work_.path, error) && !is_archive(work_.path)) {
+            found.folder = fs::path(work_.path).parent_path().string();
             found.scene = fs::path(work_.path).filename().string();
         } else {
-            found = scene_in(folder);
+            std::string folder = work_.path;
+            if (fs::is_regular_file(work_.path, error)) unpack_into(work_.path, folder = unpacked.string());
+            found = scene_in({folder});
+            // Learning platforms put an archive into a folder with the student's name. Each is a folder of its name.
+            constexpr std::size_t most = 4;
+            const std::vector<std::string> archives = found.archives;
+            if (archives.size() > most)
+                record_.notes.push_back(fmt::format("only {} of {} archives are unpacked", most, archives.size()));
+            for (std::size_t i = 0; i < std::min(archives.size(), most); ++i)
+                unpack_into(archives[i], (inner / fs::path(archives[i]).lexically_relative(folder)).string());
+            if (!archives.empty()) found = scene_in({folder, inner.string()});
         }
-        // Learning platforms put an archive into a folder with the student's name.
-        constexpr std::size_t most = 4;
-        if (found.archives.size() > most)
-            record_.notes.push_back(fmt::format("only {} of {} archives are unpacked", most, found.archives.size()));
-        for (std::size_t i = 0; i < std::min(found.archives.size(), most); ++i) {
-            folder = work_.unpacked;
-            unpack_into(found.archives[i], (fs::path(folder) / std::to_string(i)).string());
-        }
-        if (!found.archives.empty()) found = scene_in(folder);
         if (!found.several.empty())
-            found.error += fmt::format("; the rubric settles it by a line below [scenes]: \"{}\" = \"{}\"", work_.name,
-                                       utf8::printable(found.several.front()));
+            found.error += fmt::format("; the rubric settles it by a line below [scenes]: {} = {}",
+                                       toml_text(work_.name), toml_text(found.several.front()));
         if (!found.error.empty()) return fail(broken_.empty() ? found.error : broken_ + "; " + found.error);
         if (!found.reason.empty()) record_.notes.push_back(found.reason);
         if (!broken_.empty()) record_.notes.push_back(broken_);
-        fs::current_path(folder, error);
+        fs::current_path(found.folder, error);
         if (error) return fail("cannot read its folder: " + error.message());
         record_.scene = found.scene;
         access_.confine = fs::current_path(error).string();
@@ -135,8 +133,9 @@ private:
         return true;
     }
 
-    FoundScene scene_in(const std::string& folder) const {
-        const auto uniforms = [&](const std::string& path) {
+    FoundScene scene_in(const std::vector<std::string>& folders) const {
+        const auto uniforms = [&](const std::string& folder, const std::string& name) {
+            const std::string path = (fs::path(folder) / name).string();
             Access access = access_;
             access.confine = folder;
             Files files(scene_folder(path), access);
@@ -145,7 +144,7 @@ private:
             const auto parsed = parse_document(path, files, sources, unheard);
             return parsed ? uniforms_of(parsed->scene, rubric_) : std::set<std::string>();
         };
-        return find_scene(folder,
+        return find_scene(folders,
                           {rubric_.scene, fs::path(rubric_.reference).filename().string(), work_.scene, uniforms});
     }
 
@@ -441,7 +440,7 @@ private:
 
     Judged judge_list(const RubricItem& item) const {
         const bool listed = !work_.name.empty() && ranges::any_of(item.names, [&](const std::string& pattern) {
-            return fits_pattern(work_.name, pattern);
+            return fits_pattern(work_.name, pattern, true);
         });
         return {listed ? 0 : item.points, !listed,
                 listed ? "it is on the rubric's list" : "it is not on the rubric's list"};

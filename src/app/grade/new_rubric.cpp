@@ -11,6 +11,7 @@
 #include "src/accuracy/difference.h"
 #include "src/app/grade/facts.h"
 #include "src/app/grade/grade.h"
+#include "src/app/grade/rubric/table.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/deadline.h"
 #include "src/app/open/headless.h"
@@ -26,13 +27,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_sliders = 6;
-
-std::string toml_text(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : utf8::printable(text))
-        result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
-    return result + "\"";
-}
 
 // A name as a key: one with a dot, of a structure's member, would be two.
 std::string toml_key(const std::string& name) {
@@ -98,7 +92,10 @@ private:
 
     std::string begin() const {
         std::error_code error;
-        const fs::path folder = fs::absolute(output_.empty() ? "rubric.toml" : output_, error).parent_path();
+        const auto folder_of = [&error](const std::string& file) {
+            return fs::weakly_canonical(fs::absolute(file, error).parent_path(), error);
+        };
+        const fs::path reference = folder_of(scene_) / fs::path(scene_).filename();
         std::string text(head);
         const auto put = [&text](std::string_view mark, const std::string& value) {
             text.replace(text.find(mark), mark.size(), value);
@@ -106,7 +103,7 @@ private:
         put("{file}", output_.empty() ? "rubric.toml" : utf8::printable(output_));
         put("{title}", toml_text(fs::path(scene_).stem().string()));
         put("{reference}",
-            toml_text(fs::absolute(scene_, error).lexically_normal().lexically_relative(folder).string()));
+            toml_text(reference.lexically_relative(folder_of(output_.empty() ? "rubric.toml" : output_)).string()));
         return text;
     }
 

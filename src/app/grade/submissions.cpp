@@ -122,7 +122,7 @@ private:
 
     // A scene or an archive is somebody's work.
     static bool holds_work(const fs::path& folder) {
-        const FoundScene found = find_scene(folder.string(), {});
+        const FoundScene found = find_scene({folder.string()}, {});
         return !found.scene.empty() || !found.several.empty() || !found.archives.empty();
     }
 };

@@ -11,9 +11,11 @@ namespace snell::glsl {
 namespace {
 
 void read_unit(Program& program, Unit& u, FileId file) {
+    const std::size_t before = program.diagnostics.errors();
     preprocess(u, file, program.sources, program.options, program.diagnostics);
     refuse_deep_nesting(program, u);
-    if (u.tokens.size() == 1)  // for which drivers have a message that misleads
+    // Drivers have a message that misleads. One that an error has emptied, such as a missing include, has its cause.
+    if (u.tokens.size() == 1 && program.diagnostics.errors() == before)
         program.diagnostics.error("glsl-no-main", program.sources.line_span(file, 1),
                                   "this shader is empty: there is no function 'main'",
                                   "every shader starts at 'void main()'");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "parser/text/utf8.h"
 
 namespace snell::app {
 
@@ -99,6 +100,13 @@ void wrong_name(Diagnostics& diagnostics, Span span, std::string_view what, std:
     const std::string_view near = nearest(name, names);
     wrong_value(diagnostics, span, fmt::format("there is no {} '{}'", what, name),
                 near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+}
+
+std::string toml_text(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : utf8::printable(text))
+        result += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+    return result + "\"";
 }
 
 std::optional<std::string> assigned_text(const TomlValue& value) {

@@ -46,6 +46,9 @@ void wrong_value(Diagnostics& diagnostics, Span span, std::string message, std::
 void wrong_name(Diagnostics& diagnostics, Span span, std::string_view what, std::string_view name,
                 const std::vector<std::string_view>& names);
 
+// A text in quotes, as a rubric has it; what is hidden in it is escaped for people.
+std::string toml_text(std::string_view text);
+
 // A number as a scene's text has it, true or false, or a list of them with commas; nullopt for anything else.
 std::optional<std::string> assigned_text(const TomlValue& value);
 
