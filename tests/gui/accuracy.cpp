@@ -187,7 +187,7 @@ protected:
         save("slow.frag",
              "#version 330 compatibility\nuniform float uMix, uTint;\nin vec2 vST;\nvoid main() {\n    vec3 c = "
              "vec3(vST, .5);\n    for (int i = 0; i < 400; ++i) c = fract(sin(c * 1.7) + .1);\n    gl_FragColor = "
-             "vec4(c + uMix * vec3(uTint), 1.);\n}\n");
+             "vec4(uMix > 0. ? c + uMix * vec3(uTint) : c, 1.);\n}\n");
         save("scene.glib",
              "Perspective 50\nLookAt 0 0 2  0 0 0  0 1 0\nVertex plain.vert\nFragment slow.frag\n"
              "Program Slow uMix <0. 0. 1.> uTint <0. .5 1.>\nQuadXY 0. 1.\n");

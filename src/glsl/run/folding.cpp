@@ -723,7 +723,9 @@ std::uint64_t signs(const Unit& unit, const std::map<std::string_view, Fold>& se
                     std::map<std::string_view, Fold>& passed) {
     if (unit.code.whole) return followed(unit, settled, passed).signs();
     passed.clear();
-    return ~std::uint64_t{0};
+    std::uint64_t all = 0;
+    for (const auto& [name, fold] : settled) all |= fold.from;
+    return all;
 }
 
 Decided decide(const Unit& unit, const std::map<std::string_view, Fold>& settled,
