@@ -163,23 +163,53 @@ private:
         Program* const current = builder_.program();
         const bool valued = looks_like_uniform(statement.tokens, lexer, program != Span{});
         const bool bracketed = valued && statement.tokens[1].kind == TokenKind::open;
-        const std::string_view near = nearest(word, command_names());
+        const std::string_view bare = std::string_view(word).substr(0, word.find('('));
+        const std::string_view near = nearest(bare, command_names());
         // 'Spher 1' behind a Program is a slip for 'Sphere'; 'uScale 1' is a uniform however near 'Scale' is.
         const bool slip = !bracketed && !near.empty() && !(word.size() > 1 && word[0] == 'u' && upper(word[1]));
         if (valued && !slip && current != nullptr && (bracketed || program != Span{})) {
             take_uniforms(reader, statement, *current, program);
             return;
         }
+        if (unparenthesised(reader, statement)) return;
         const bool argument = statement.tokens.size() > 1;
-        std::string help = help_for_opengl(word, argument ? lexer.text(statement.tokens[1]) : std::string_view());
+        std::string help = help_for_opengl(bare, argument ? lexer.text(statement.tokens[1]) : std::string_view());
         const bool meant = help.empty() && !near.empty();
         if (meant) help = "did you mean '" + std::string(near) + "'?";
-        if (help.empty() && word.find('.') != std::string::npos)
+        if (help.empty() && bare.find('.') != std::string::npos)
             help = "a file name is not a command: if it belongs to the statement before, end that line with '\\'";
         if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
         if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
         Diagnostic& said = report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
-        if (meant) said.fixes.push_back({span, std::string(near)});
+        const auto end = span.begin + static_cast<std::uint32_t>(bare.size());
+        if (meant) said.fixes.push_back({{span.file, span.begin, bare == word ? span.end : end}, std::string(near)});
+    }
+
+    // 'Sphere(1., 20, 20);' as in C.
+    bool unparenthesised(const StatementReader& reader, const Statement& statement) {
+        const Span span = reader.span(statement);
+        std::string text(sources_.text(span.file).substr(span.begin, span.end - span.begin));
+        const std::size_t open = text.find('(');
+        const Command* command = open < text.size() ? find_command(text.substr(0, open)) : nullptr;
+        if (command == nullptr) return false;
+        text.replace(0, open, command->name);
+        const bool plain = text.find_first_of("\"\\#\n{[<") == std::string::npos && ranges::count(text, '(') == 1;
+        std::string meant;
+        for (const char c : text) {
+            const bool blank = std::string_view("(),; \t").find(c) != std::string_view::npos;
+            if (!blank)
+                meant += c;
+            else if (!meant.ends_with(' '))
+                meant += ' ';
+        }
+        if (meant.ends_with(' ')) meant.pop_back();
+        const Span word = reader.lexer().span(statement.command());
+        Diagnostic& said = report_.error(
+            "unknown-command", word,
+            "unknown command '" + std::string(reader.lexer().text(statement.command()).substr(0, 60)) + "'",
+            "write arguments without parentheses" + (plain ? ": " + meant : std::string()));
+        if (plain) said.fixes.push_back({span, meant});
+        return true;
     }
 
     static bool upper(char c) { return c >= 'A' && c <= 'Z'; }
