@@ -251,6 +251,12 @@ TEST(Controls, NumbersOfARangeInAnotherOrder) {
         if (*slip.meant == 0) continue;
         EXPECT_NE(made.diagnostics.items()[0].help.find(slip.meant), std::string::npos);
     }
+    // In a vector of three it is a value for each component, a colour or not.
+    for (const auto& [written, meant] : {std::pair(Values{.25, .22, .3}, "u {0.25 0.22 0.3}"),
+                                         {Values{1, .85, .55}, "u {1. 0.85 0.55}"},
+                                         {Values{1, 5, 2}, "u [1. 5. 2.]"}})
+        EXPECT_EQ(make(value_of("u", Kind::range, written), active("vec3")).diagnostics.items()[0].fixes.at(0).text,
+                  meant);
     const Case both = make(value_of("u", Kind::range, {5, 9, 1}), active("float"));
     EXPECT_EQ(both.codes(), (Codes{"range-reversed", "range-widened"}));
     EXPECT_EQ(both.diagnostics.items()[0].fixes.at(0).text, "u <1. 5. 9.>")

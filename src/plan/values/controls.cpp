@@ -315,14 +315,12 @@ private:
         const bool reversed = range.min > range.max;
         if (reversed) {
             std::swap(range.min, range.max);
-            UniformValue meant = written;
-            meant.values = {range.min, range.current, range.max};
-            ranges::sort(meant.values);
+            const UniformValue meant = meant_by(control, written, v);
             warn_range("range-reversed", written, "the minimum is above the maximum; they are swapped")
                 .fixes.push_back({written.span, text_of::uniform(meant)});
         }
         if (range.current < range.min || range.current > range.max) {
-            if (!reversed) warn_order(written, range);
+            if (!reversed) warn_order(meant_by(control, written, v), written, range);
             range.min = std::min(range.min, range.current);
             range.max = std::max(range.max, range.current);
             if (reversed)
@@ -341,12 +339,22 @@ private:
         return {limited.min, range.current, limited.max};
     }
 
+    // What was meant by a range whose numbers are in no order: a value for each component of a vector of three, or the
+    // same numbers in order.
+    static UniformValue meant_by(const Control& control, UniformValue written, const std::vector<double>& numbers) {
+        written.values.assign(numbers.begin(), numbers.begin() + 3);
+        const auto in_color = [](double v) { return v >= 0 && v <= 1; };
+        if (control.array_size == 1 && control.components == 3)
+            written.kind =
+                ranges::all_of(written.values, in_color) ? UniformValue::Kind::color : UniformValue::Kind::array;
+        else
+            ranges::sort(written.values);
+        return written;
+    }
+
     // <min max current> or <current min max>, most likely. What is written is kept: the second number is the current
     // one.
-    void warn_order(const UniformValue& written, const Range& range) {
-        UniformValue meant = written;
-        meant.values = {range.min, range.current, range.max};
-        ranges::sort(meant.values);
+    void warn_order(const UniformValue& meant, const UniformValue& written, const Range& range) {
         Diagnostic& said = diagnostics_.warning(
             "range-order", written.span,
             fmt::format("range of '{}': its numbers are <min current max>, and the current one, {}, is {}",
