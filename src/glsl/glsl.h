@@ -81,13 +81,13 @@ struct Options {
     bool find_uses = false;  // DeclaredUniform::use is wanted
     // A number or truth value that is written as a constant: to see what drivers make of its values, never to draw.
     std::optional<Settled> constant;
-    int color_outputs = 1;   // render targets at once: gl_FragColor is written to each
+    int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
     IncludeReader include;
     Limits limits;  // of includes and of nesting
 };
 
 // Operands that an operator does not take, as far as types are known: to explain what a driver refuses without naming
-// them. Without `right` there is only one operand.
+// them. Without `right` there is only one operand. `=`: the type of what a name gets that nothing declares.
 struct Misfit {
     Span span;  // of the expression
     std::string op;

@@ -13,7 +13,8 @@ TEST(GlslForgive, GlobalsFromUniformsMoveIntoMain) {
         "void main() { gl_FragColor = vec4(use() * PI, 1.); }\n";
     const Translated t = fragment(text);
     const std::string& out = t.text(Stage::fragment);
-    EXPECT_NE(out.find("void main() { L = vec3(5., uB, 0.); twice = uB * 2.; d = length(L) + twice;"),
+    EXPECT_NE(out.find("void main() { \n#line 3 0\nL = vec3(5., uB, 0.);\n#line 8 0\n \n#line 4 0\ntwice = uB * 2.;\n"
+                       "#line 8 0\n \n#line 5 0\nd = length(L) + twice;\n#line 8 0\n snell_FragColor"),
               std::string::npos)
         << out;
     EXPECT_TRUE(t.has(Stage::fragment, "const float PI = 3.14;"));

@@ -112,7 +112,7 @@ TEST(Logs, AUniformThatOnlyTheSceneHasIsToBeDeclared) {
         explain_log(log, program.translation, &program.translation.stages[0],
                     {file, 0, static_cast<std::uint32_t>(scene.size())}, "Demo", program.sources, said);
         ASSERT_EQ(said.items().size(), 1U) << log;
-        EXPECT_EQ(said.items()[0].help, "declare it here: " + std::string(help));
+        EXPECT_EQ(said.items()[0].help, "declare it above main: " + std::string(help));
     }
 }
 
@@ -160,6 +160,42 @@ TEST(Logs, RefusedOperandsAreNamed) {
         EXPECT_NE(d.help.find(c.help), std::string::npos) << d.help;
         EXPECT_EQ(program.sources.position(d.span.file, d.span.begin).line, 4);
     }
+}
+
+// As far as it is certain: a whole number may be the first of many others.
+TEST(Logs, TheTypeOfWhatAnUndeclaredNameGetsIsNamed) {
+    for (const auto& [value, help] : {std::pair("mix( v, v, .5 )", ": vec3 shade = …"),
+                                      {"texture( s, v.xy )", ": vec4 shade = …"},
+                                      {"texture( s, v.xy ).rgb", ": vec3 shade = …"},
+                                      {"dot( v, v )", ": float shade = …"},
+                                      {"v.x > 0.", ": bool shade = …"},
+                                      {"2", ""},
+                                      {"unknown( v )", ""}}) {
+        Translated t = fragment(
+            "#version 330\nin vec3 v; uniform sampler2D s; out vec4 c;\nvoid main() { c = vec4(1.);\nshade = " +
+            std::string(value) + ";\n}\n");
+        Program program{std::move(t.sources), std::move(t.translation)};
+        const Diagnostics said = program.explain("0:4(1): error: `shade' undeclared\n", program.stage(Stage::fragment));
+        ASSERT_EQ(said.items().size(), 1U);
+        EXPECT_EQ(said.items()[0].help, "where it first gets a value, its type comes before it" + std::string(help));
+    }
+}
+
+// An initialiser that is no constant moves to main, and keeps its line.
+TEST(Logs, InitialisersAreWrongWhereTheyAreWritten) {
+    Translated t = fragment(
+        "#version 330\nout vec4 c;\n\nconst float TWO_PI = 2 * PI;\n\nvoid main()\n{\n    c = vec4(TWO_PI);\n}\n");
+    EXPECT_TRUE(t.diagnostics.items().empty()) << "not that it is computed at the start of main";
+    Program program{std::move(t.sources), std::move(t.translation)};
+    for (const auto& [log, place] : {std::pair("0:4(14): error: `PI' undeclared\n", "demo.frag:4:26"),
+                                     {"0:8(5): error: `vec4' undeclared\n", "demo.frag:8:9"}}) {
+        const Diagnostics said = program.explain(log, program.stage(Stage::fragment));
+        ASSERT_EQ(said.items().size(), 1U);
+        const Position at = program.sources.position(said.items()[0].span.file, said.items()[0].span.begin);
+        EXPECT_EQ("demo.frag:" + std::to_string(at.line) + ":" + std::to_string(at.column), place);
+    }
+    const std::string& text = program.stage(Stage::fragment)->text;
+    EXPECT_NE(text.find("{ \n#line 4 0\nTWO_PI = 2 * PI;\n#line 7 0\n\n    c"), std::string::npos) << text;
 }
 
 // What is allowed is not remembered as a misfit, or another error on its line would be explained by it.

@@ -67,6 +67,9 @@ const Declared* nearest_declared(std::string_view name, const std::vector<Declar
     return &*std::find_if(all.begin(), all.end(), [&](const Declared& d) { return d.name == best; });
 }
 
+// A built-in variable, or a slip for one.
+bool of_gl(std::string_view name) { return same_word(name.substr(0, 3), "gl_"); }
+
 const StageOutput* stage_of(const Translation& translation, std::optional<Stage> stage) {
     for (const StageOutput& s : translation.stages)
         if (stage && s.stage == *stage) return &s;
@@ -128,8 +131,12 @@ bool hint_comment(std::string_view name, FileId file, const Context& context, Di
                                [](const Word& a, const Word& b) { return a.begin < b.begin; }))
             continue;
         std::string_view line = context.sources.line(file, context.sources.position(file, offset).line);
+        const std::string_view before = line.substr(0, static_cast<std::size_t>(text.data() + at - line.data()));
+        std::size_t comment = 0;
         for (const std::string_view opening : {"//", "/*"})
-            if (const std::size_t begin = line.rfind(opening); begin != line.npos) line.remove_prefix(begin + 2);
+            if (const std::size_t begin = before.rfind(opening); begin != line.npos)
+                comment = std::max(comment, begin + 2);
+        line.remove_prefix(comment);
         for (const Declared& d : declared(line, words(line))) {
             if (d.name != name || !builtin_type(d.type)) continue;
             diagnostic.help = "its declaration is part of a comment";
@@ -169,9 +176,37 @@ bool hint_given(std::string_view name, FileId file, const Context& context, Diag
         if (text_of(scene, given[i]) != name) continue;
         const std::string type = type_given(name, scene, std::span(given).subspan(i + 1), context.sources.text(file),
                                             context.texts.words(file));
-        diagnostic.help = fmt::format("declare it here: uniform {} {};", type, name);
+        diagnostic.help = fmt::format("declare it above main: uniform {} {};", type, name);
         diagnostic.notes.push_back(
             {{where.file, where.begin + given[i].begin, where.begin + given[i].end}, "the scene gives it a value"});
+        return true;
+    }
+    return false;
+}
+
+// The built-in name that is meant: one of those that begin with gl_, if the name does; empty if there is none.
+std::string_view nearest_builtin(std::string_view name) {
+    std::vector<std::string_view> all = builtin_names();
+    if (of_gl(name)) std::erase_if(all, [](std::string_view other) { return !of_gl(other); });
+    const auto same = std::find_if(all.begin(), all.end(), [&](auto other) { return same_word(other, name); });
+    const std::string_view found = same == all.end() ? nearest(name, all) : *same;
+    return found == name ? std::string_view() : found;
+}
+
+// Where a variable gets its first value, without a type.
+bool hint_no_type(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
+    const std::vector<Word>& read = context.texts.words(place.file);
+    const std::string_view text = context.sources.text(place.file);
+    for (std::size_t i = 1; i + 2 < read.size(); ++i) {
+        if (read[i].line != place.line || text_of(text, read[i]) != name || text_of(text, read[i + 1]) != "=" ||
+            text_of(text, read[i + 2]) == "=" ||
+            std::string_view(";{}").find(text_of(text, read[i - 1])) == std::string_view::npos)
+            continue;
+        diagnostic.help = "where it first gets a value, its type comes before it";
+        const Span span{place.file, read[i].begin, read[i].end};
+        if (context.stage)
+            for (const Misfit& m : context.stage->misfits)
+                if (m.op == "=" && m.span == span) diagnostic.help += fmt::format(": {} {} = …", m.right, name);
         return true;
     }
     return false;
@@ -196,7 +231,7 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
     }
     if (!called && hint_comment(name, place.file, context, diagnostic)) return;
     if (!called && hint_given(name, place.file, context, diagnostic)) return;
-    const Declared* d = nearest_declared(name, all, called);
+    const Declared* d = of_gl(name) ? nullptr : nearest_declared(name, all, called);
     const std::string_view sampler = called || (d && same_word(d->name, name)) ? "" : bound_sampler(name);
     if (!sampler.empty()) {
         diagnostic.help = fmt::format("declare it: uniform {} {};", sampler, name);
@@ -221,15 +256,10 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         {"iTime", "float uTime"}, {"iResolution", "vec2 uResolution"}, {"iMouse", "vec2 uMouse"}};
     for (const auto& [theirs, ours] : shadertoy)
         if (name == theirs) diagnostic.help = fmt::format("Shadertoy's: declare and write 'uniform {};' here", ours);
-    const std::vector<Word>& read = context.texts.words(place.file);
-    const std::string_view text = context.sources.text(place.file);
-    for (std::size_t i = 1; i + 2 < read.size(); ++i)
-        if (diagnostic.help.empty() && !name.starts_with("gl_") && read[i].line == place.line &&
-            text_of(text, read[i]) == name && text_of(text, read[i + 1]) == "=" && text_of(text, read[i + 2]) != "=" &&
-            std::string_view(";{}").find(text_of(text, read[i - 1])) != std::string_view::npos)
-            diagnostic.help = fmt::format("where it first gets a value, its type comes before it: float {} = …", name);
     if (!diagnostic.help.empty()) return;
-    if (const std::string_view built_in = nearest(name, builtin_names()); !built_in.empty() && built_in != name) {
+    const bool color = same_word(name, "fragColor") && context.stage && context.stage->stage == Stage::fragment;
+    if (!color && !of_gl(name) && hint_no_type(name, place, context, diagnostic)) return;
+    if (const std::string_view built_in = color ? "gl_FragColor" : nearest_builtin(name); !built_in.empty()) {
         diagnostic.help = fmt::format("did you mean '{}'?", built_in);
         suggest(diagnostic, name, built_in, context);
     }

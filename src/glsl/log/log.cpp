@@ -106,7 +106,7 @@ const Misfit* misfit_of(const Found& found, const Context& context) {
     if (!operands || !context.stage || !found.place.known) return nullptr;
     const Misfit* best = nullptr;
     for (const Misfit& m : context.stage->misfits) {
-        if (m.span.file != found.place.file) continue;
+        if (m.span.file != found.place.file || m.op == "=") continue;
         const int first = context.sources.position(m.span.file, m.span.begin).line;
         const int last = context.sources.position(m.span.file, m.span.end).line;
         if (found.place.line < first || found.place.line > last) continue;

@@ -1,6 +1,7 @@
 // What is wrong near a word that the grammar does not expect: semicolons, brackets, types that are none.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "src/glsl/log/log.h"
@@ -58,11 +59,17 @@ Around around(std::string_view text, const std::vector<Word>& all, std::uint32_t
         if (!a.all[a.at].directive) a.depth += w == "{" ? 1 : w == "}" ? -1 : 0;
         ++a.at;
     }
-    for (std::size_t i = a.at; i-- > 0;) {
+    // A ';' within the parentheses of a for ends no statement.
+    bool ended = false;
+    int open = 0, most = 0;
+    for (std::size_t i = a.at; i-- > 0 && !a.loop;) {
         const std::string_view w = a.word(i);
-        if (a.all[i].directive || w == ";" || w == "{" || w == "}") break;
-        a.parens += w == "(" ? 1 : w == ")" ? -1 : 0;
-        if (w == "for" && a.parens > 0) a.loop = true;
+        if (a.all[i].directive || w == "{" || w == "}") break;
+        ended = ended || (w == ";" && open >= 0);
+        open += w == "(" ? 1 : w == ")" ? -1 : 0;
+        if (open > most) a.loop = i > 0 && a.word(i - 1) == "for";
+        most = std::max(most, open);
+        if (!ended || a.loop) a.parens = open;
     }
     return a;
 }

@@ -44,6 +44,7 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
         const Expression& e = given;
         g.init_last = p_ - 1;
         g.init_constant = e.constant;
+        g.init_fits = e.type.base != Base::unknown && e.type.dims == type.dims;
         if (e.constant) value = e.value;
         if (type.size < 0 && type.dims == 1) g.type.size = e.type.size;
         if (!global && q.storage == Storage::constant && !e.constant && (target_.es || target_.version < 420))

@@ -189,6 +189,11 @@ Expression Parser::assignment() {
         ++p_;
         const Expression value = assignment();
         const bool plain = op == "=";
+        const bool name = target.first == target.last && u_.at(target.first).kind == Kind::identifier;
+        if (plain && name && target.legacy.empty() && !known(target.type) && known(value.type) &&
+            !value.type.integral() && !find(u_.at(target.first).text))
+            u_.misfits.push_back(
+                {u_.span(target.first), "=", {}, type_name(value.type.base, value.type.rows, value.type.cols)});
         Type due = target.type;
         if (!plain && op != "<<=" && op != ">>=") note_operands(target, value, op.substr(0, 1));
         if (!plain && due.floating()) due = make_type(due.base, value.type.rows);

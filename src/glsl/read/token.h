@@ -29,7 +29,7 @@ struct Token {
     std::string_view lead;     // what stands before it: blanks, comments, directives
 };
 
-// Changes to a token's text; `before` and `after` go around it. Never holds a line end.
+// Changes to a token's text; `before` and `after` go around it. A line end only comes with a #line behind it.
 struct Edit {
     std::string before, text, after;
     bool replaced = false;
@@ -123,6 +123,7 @@ struct Global {
     int init_first = -1, init_last = -1;  // tokens of the initialiser
     std::string dims;                     // "[3]" as it will be written
     bool init_constant = true;
+    bool init_fits = true;   // unless it can't compile, as far as types are known
     bool dirty = false;      // to be written anew
     bool removed = false;    // its declaration disappears
     bool drop_init = false;  // the initialiser is not written here

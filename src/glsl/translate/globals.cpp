@@ -167,6 +167,11 @@ void write_invariants(const Target& target, Unit& u, int first, int last) {
 
 void move_initialisers(Program& program, Unit& u) {
     if (!find_main(u)) return;
+    const auto line_of = [&](int token) {
+        const Span span = u.span(token);
+        return "\n#line " + std::to_string(program.sources.position(span.file, span.begin).line) + " " +
+               std::to_string(u.at(token).file) + "\n";
+    };
     for (Global& g : u.globals) {
         const bool variable = g.qualifiers.storage == Storage::plain || g.qualifiers.storage == Storage::constant;
         const bool output = g.qualifiers.storage == Storage::out;
@@ -174,15 +179,20 @@ void move_initialisers(Program& program, Unit& u) {
         if (u.groups[static_cast<std::size_t>(g.group)].last < 0) continue;
         if (g.qualifiers.storage == Storage::constant) {
             g.qualifiers.storage = Storage::plain;
-            program.warn(u, g.name_token, "const-not-constant",
-                         "the value of '" + std::string(g.name) + "' is not a constant: computed at the start of main");
+            if (g.init_fits)
+                program.warn(
+                    u, g.name_token, "const-not-constant",
+                    "the value of '" + std::string(g.name) + "' is not a constant: computed at the start of main");
         }
         if (u.now(g.init_first) == "{" && g.type.dims == 1) {
             u.replace(g.init_first, std::string(g.type.name) + "[](");
             u.replace(g.init_last, ")");
         }
         if (g.dims == "[]" && g.type.size > 0) g.dims = "[" + std::to_string(g.type.size) + "]";
-        at_main_start(u, std::string(u.now(g.name_token)) + " = " + render(u, g.init_first, g.init_last) + ";",
+        // What is wrong with it is wrong where it is written.
+        at_main_start(u,
+                      line_of(g.init_first) + std::string(u.now(g.name_token)) + " = " +
+                          render(u, g.init_first, g.init_last) + ";" + line_of(find_main(u)->open),
                       g.name_token);
         g.drop_init = true;
         g.dirty = true;
