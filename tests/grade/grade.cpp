@@ -136,6 +136,15 @@ TEST_F(Grade, EmptinessIsJudgedByWhatIsDrawn) {
                       text),
             Points(9, 0))
             << color << last;
+    // A pixel is as good as nothing, but a small thing is something.
+    const auto within = [&](const std::string& pixels) {
+        return with(black, "  vec3 n",
+                    "  if (any(greaterThan(abs(gl_FragCoord.xy - vec2(32.5, 24.5)), vec2(" + pixels +
+                        ")))) discard;\n  vec3 n");
+    };
+    EXPECT_EQ(points_of(items, within("2.6"), text), Points(9, 4)) << last;
+    EXPECT_EQ(points_of(items, within(".6"), text), Points(9, 0)) << last;
+    EXPECT_NE(last.find("hardly anything is seen in any of its pictures"), std::string::npos) << last;
     // One empty picture costs what is judged by it, and no more: the reference shows something there.
     const std::string dark = with(black, "uCut > .5", "uKd < .5 || uCut > .5");
     EXPECT_EQ(points_of(items, dark, text), (Points{4, 4, 4, 4, 4, 0, 4, 4, 4})) << last;

@@ -325,14 +325,14 @@ private:
     // Why an item earns nothing, whatever it judges: nothing earns nothing, and what an error took away fulfils
     // nothing; or "".
     std::string barred(const RubricItem& item) const {
-        if (drawn_ && seen_ == 0 && !item.deducts) return "nothing is seen in any of its pictures";
+        if (drawn_ && !item.deducts && all_empty()) return nothing(seen_ > 0) + " is seen in any of its pictures";
         if (item.kind == Kind::no_lints && unread_) return "not all shaders can be read";
         if (!needs_pictures(item)) return {};
         const bool relation = item.kind == Kind::picture, against = relation && item.expect == Expect::reference;
         for (const std::size_t index : {item.picture, against ? item.picture : item.than}) {
             if (!wrong_[index].empty() && (relation || !drawn_)) return wrong_[index];
-            if (record_.covered[index] == 0 && !empty_in_reference(against ? item.than : index))
-                return "nothing is seen in " + shown_as(rubric_.pictures[index]);
+            if (is_empty(index, against ? item.than : index))
+                return nothing(record_.covered[index] > 0) + " is seen in " + shown_as(rubric_.pictures[index]);
         }
         const bool same = relation && (item.expect == Expect::same || item.expect == Expect::mirrored);
         if (same && !first_error_.empty()) return "with an error, it proves nothing that pictures are alike";
@@ -340,9 +340,19 @@ private:
         return same ? unused(item) : "";
     }
 
-    bool empty_in_reference(std::size_t picture) const {
-        if (work_.path == rubric_.reference) return true;
-        return !reference_.covered.empty() && reference_.covered[picture] == 0;
+    static std::string nothing(bool hardly) { return hardly ? "hardly anything" : "nothing"; }
+
+    // Far less than in the reference's picture is as good as nothing, such as a single pixel.
+    bool is_empty(std::size_t picture, std::size_t of_reference) const {
+        if (work_.path == rubric_.reference) return false;
+        const double own = record_.covered[picture];
+        return reference_.covered.empty() ? own == 0 : own < reference_.covered[of_reference] / 50;
+    }
+
+    bool all_empty() const {
+        std::size_t empty = 0;
+        for (std::size_t i = 0; i < pictures_.size(); ++i) empty += record_.covered[i] == 0 || is_empty(i, i);
+        return seen_ == 0 || empty == pictures_.size();
     }
 
     // That a uniform does not matter is no merit if nothing reads it.
