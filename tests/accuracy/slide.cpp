@@ -39,8 +39,13 @@ SweepResult sweep_of(const std::string& name, const std::vector<Rung>& rungs, bo
         sweep.sweep.rungs.push_back({rung.name, {}, {}, {}});
         RungResult result{.name = rung.name, .drawn = true};
         result.whole.light.rmse = result.own.light.rmse = rung.error;
+        constexpr int rounds = 31;
+        for (int i = 0; rung.milliseconds > 0 && i < rounds; ++i) {
+            const int step = (i * 7 + 11 * static_cast<int>(sweep.rungs.size())) % rounds - rounds / 2;
+            result.cpu.push_back(rung.milliseconds * (1 + rung.spread * step / (rounds / 2)));
+        }
         if (rung.milliseconds > 0) {
-            result.rounds = 20;
+            result.rounds = rounds;
             result.milliseconds = rung.milliseconds;
             result.low = rung.milliseconds * (1 - rung.spread);
             result.high = rung.milliseconds * (1 + rung.spread);
@@ -52,7 +57,18 @@ SweepResult sweep_of(const std::string& name, const std::vector<Rung>& rungs, bo
     return sweep;
 }
 
+// What a measurement concludes of the times.
+void compare_times(SweepResult& sweep) {
+    std::vector<Point> points;
+    for (RungResult& rung : sweep.rungs) {
+        rung.ratio = paired_ratio(rung.cpu, sweep.rungs[sweep.sweep.current].cpu);
+        points.push_back({0, rung.cpu});
+    }
+    sweep.costs = costs_of(points);
+}
+
 Slide slide_with(std::vector<SweepResult> sweeps) {
+    for (SweepResult& sweep : sweeps) compare_times(sweep);
     Report report;
     report.where.width = 40;
     report.where.height = 30;
@@ -180,19 +196,52 @@ TEST(Slide, SamePictureIsShownOnce) {
 }
 
 TEST(Slide, FrontOfSeveralSweepsHasWhatNoOtherBeats) {
-    const std::vector<SweepResult> sweeps{sweep_of("WAY", {{"aa", 10, .1}, {"bb", 20, .05}, {"cc", 40, .01}}),
-                                          sweep_of("KNOB", {{"dd", 15, .02}, {"ee", 41, .2}, {"ff", 9.9, .1}})};
+    const std::vector<SweepResult> sweeps{
+        sweep_of("WAY", {{"aa", 10, .1}, {"bb", 20, .05}, {"cc", 40, .01}}),
+        sweep_of("KNOB", {{"as it is", 10, .1}, {"dd", 15, .02}, {"ee", 41, .2}, {"ff", 9.9, .1}})};
     std::set<std::string> front;
     for (const SlidePoint& point : slide_with(sweeps).points)
         if (point.front) front.insert(point.name);
     // dd beats bb; ee is worse than all; the times of aa and ff, whose errors are equal, can't be told apart.
-    EXPECT_EQ(front, (std::set<std::string>{"aa", "cc", "dd", "ff"}));
+    EXPECT_EQ(front, (std::set<std::string>{"aa", "as it is", "cc", "dd", "ff"}));
 
     std::vector<SweepResult> few = sweeps;
     for (SweepResult& sweep : few) sweep.few_rounds = true;
     const Slide slide = slide_with(few);
     for (const SlidePoint& point : slide.points) EXPECT_FALSE(point.front) << point.name;
     EXPECT_EQ(slide.stamp, "too few rounds: no front");
+}
+
+// The machine was twice as fast when the knob was measured: places are ratios of its own table.
+TEST(Slide, TimesAreRatiosOfTheirOwnTables) {
+    const SweepResult knob = sweep_of("filter", {{"nearest", 5, .1}, {"mipmap", 6.7, .05}, {"coarse", 4, .1}});
+    const Slide slide = slide_with({sweep_of("WAY", {{"own", 10, .1}, {"exact", 20, .01}}), knob});
+    std::map<std::string, SlidePoint> points;
+    for (const SlidePoint& point : slide.points) points[point.name] = point;
+    EXPECT_EQ(points.at("own").milliseconds, 10);
+    EXPECT_NEAR(points.at("mipmap").milliseconds, 13.4, .1);
+    EXPECT_NEAR(points.at("coarse").milliseconds, 8, .1);
+    EXPECT_TRUE(points.at("mipmap").low > 10 && points.at("coarse").high < 10);
+    EXPECT_FALSE(points.at("own").front) << "coarse is cheaper and as good";
+    for (const SlideColumn& column : slide.columns) EXPECT_EQ(column.equal_time, false) << column.name;
+
+    // What a table does not tell apart is not told on the slide, whatever the intervals of single ratios are.
+    SweepResult unsure = sweep_of("filter", {{"nearest", 5, .1}, {"coarse", 4, .1}, {"dear", 9, .2}});
+    for (std::size_t i = 6; i < 31; ++i)
+        for (RungResult& rung : unsure.rungs) rung.cpu[i] = 0;
+    for (const SlidePoint& point : slide_with({sweep_of("WAY", {{"own", 10, .1}, {"exact", 20, .01}}), unsure}).points)
+        EXPECT_TRUE(point.front || point.name != "own");
+
+    // A ladder whose own rung is another combination, but which shares its last one with the first.
+    SweepResult first = sweep_of("WAY", {{"own", 10, .1}, {"last", 20, .01}}), other = first;
+    first.sweep.rungs[0].variant.rungs = {0, 1};
+    first.sweep.rungs[1].variant.rungs = {1, 1};
+    other.rungs[0].name = "other";
+    other.sweep.rungs[0].variant.rungs = {1, 0};
+    other.sweep.rungs[1].variant.rungs = {1, 1};
+    for (double& t : other.rungs[0].cpu) t *= 1.6;  // .8 of the last one
+    for (const SlidePoint& point : slide_with({first, other}).points)
+        EXPECT_NEAR(point.milliseconds, point.name == "own" ? 10 : point.name == "other" ? 16 : 20, .2) << point.name;
 }
 
 TEST(Slide, OnlyErrorsFromOneReferenceAreOnOneScale) {
@@ -228,6 +277,8 @@ TEST(Slide, FoundRungsAreOnTheScaleOfTheOthers) {
     found.timed.reference = {};
     found.timed.rungs[0].picture = flat(40, 30, 1);
     found.timed.rungs[1].picture = flat(40, 30, 0);
+    compare_times(ladder);
+    compare_times(found.timed);
     Report report{.sweeps = {ladder}, .found = {found}};
     const Slide slide = slide_of(report);
     ASSERT_EQ(slide.points.size(), 4U);
@@ -260,6 +311,8 @@ Report with_found(double ladder_time, const std::vector<Rung>& rungs) {
     found.timed.sweep.kind = SweepKind::found;
     found.timed.sweep.current = found.timed.sweep.reference;
     found.timed.reference = {};
+    compare_times(ladder);
+    compare_times(found.timed);
     Report report{.sweeps = {ladder}, .found = {found}};
     return report;
 }

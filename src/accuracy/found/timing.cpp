@@ -75,7 +75,8 @@ void Search::Impl::start_rounds(SweepResult& sweep, const std::vector<std::size_
     for (const std::size_t i : of) entrants.push_back(trials->entrant(*finalists.at(i).bench, size));
     entrants.push_back(trials->entrant(trials->scene(), size));
     sweep.rungs.push_back(trials->scene_summary());
-    sweep.sweep.rungs.push_back({.name = sweep.rungs.back().name, .variant = {}, .steps = {}, .elsewhere = {}});
+    sweep.sweep.rungs.push_back(
+        {.name = sweep.rungs.back().name, .variant = trials->variant(), .steps = {}, .elsewhere = {}});
     sweep.sweep.reference = sweep.sweep.current = of.size();
     timing = &sweep;
     if (!options.times || of.empty()) return end_rounds();

@@ -12,12 +12,22 @@ namespace {
 constexpr double equal_times = .25, equal_errors = 1.1, different_errors = 1.02, invisible_flip = .02;
 constexpr std::size_t most_equals = 2;  // next to the scene's own rung
 
-bool has_interval(const SlidePoint& p) { return p.low > 0 && std::isfinite(p.high); }
+Cost by_intervals(const SlideRung& a, const SlideRung& b, double within) {
+    const SlidePoint &p = a.point, &q = b.point;
+    if (!p.has_interval() || !q.has_interval()) return Cost::not_told;
+    return compare_costs({p.low / q.high, p.milliseconds / q.milliseconds, p.high / q.low},
+                         std::max(a.sweep->control.noise, b.sweep->control.noise), within);
+}
 
-// Points of several sweeps have no rounds in common.
-Cost cost_of(const SlidePoint& a, const SlidePoint& b, double within = same_cost) {
-    if (!has_interval(a) || !has_interval(b)) return Cost::not_told;
-    return compare_costs({a.low / b.high, a.milliseconds / b.milliseconds, a.high / b.low}, 0, within);
+bool is_base(const SlideRung& rung) { return rung.rung == rung.sweep->sweep.current; }
+
+// What a table says, if one has both; points of several sweeps have no rounds in common but those of the scene.
+Cost cost_of(const SlideRung& a, const SlideRung& b) {
+    if (a.sweep == b.sweep) return a.sweep->costs.of(a.rung, b.rung);
+    const bool one_base = same_variant(*a.sweep, a.sweep->sweep.current, *b.sweep, b.sweep->sweep.current);
+    if (one_base && is_base(b)) return a.sweep->costs.of(a.rung, a.sweep->sweep.current);
+    if (one_base && is_base(a)) return b.sweep->costs.of(b.sweep->sweep.current, b.rung);
+    return by_intervals(a, b, same_cost);
 }
 
 // By which factor the larger exceeds the smaller; infinite if only one is 0.
@@ -26,7 +36,7 @@ double factor(double a, double b) {
     return std::max(a, b) / std::min(a, b);
 }
 
-bool same_time(const SlidePoint& a, const SlidePoint& b) { return cost_of(a, b, equal_times) == Cost::equal; }
+bool same_time(const SlideRung& a, const SlideRung& b) { return by_intervals(a, b, equal_times) == Cost::equal; }
 
 bool same_error(const SlidePoint& a, const SlidePoint& b) { return factor(a.error, b.error) <= equal_errors; }
 
@@ -79,7 +89,7 @@ private:
     // The most exact; then the first rung of a ladder, or the nearest.
     void add_equal_times() {
         const auto equal = [&](const SlideRung& rung) {
-            return same_time(rung.point, own()) && factor(rung.point.error, own().error) > different_errors;
+            return same_time(rung, rungs_[own_]) && factor(rung.point.error, own().error) > different_errors;
         };
         for (std::size_t i : those(equal, [](const SlideRung& rung) { return rung.point.error; }))
             if (equal_time_.empty()) add(equal_time_, i);
@@ -93,7 +103,7 @@ private:
     // The cheapest, then the one with the nearest error.
     void add_equal_errors() {
         const auto equal = [&](const SlideRung& rung) {
-            const Cost cost = cost_of(rung.point, own());
+            const Cost cost = cost_of(rung, rungs_[own_]);
             return (cost == Cost::cheaper || cost == Cost::dearer) && same_error(rung.point, own());
         };
         for (std::size_t i : those(equal, [](const SlideRung& rung) { return rung.point.milliseconds; }))
@@ -160,13 +170,26 @@ bool may_be_on_front(const SlideRung& rung) {
            std::isfinite(rung.point.error);
 }
 
-// `b` makes `a` superfluous, by the intervals of their times.
-bool beaten(const SlidePoint& a, const SlidePoint& b) {
+// `b` makes `a` superfluous.
+bool beaten(const SlideRung& a, const SlideRung& b) {
     const Cost cost = cost_of(b, a);
-    return (cost == Cost::cheaper && b.error <= 1.001 * a.error) || (cost != Cost::dearer && b.error < .99 * a.error);
+    const double error = b.point.error, other = a.point.error;
+    return (cost == Cost::cheaper && error <= 1.001 * other) || (cost != Cost::dearer && error < .99 * other);
 }
 
 }  // namespace
+
+bool same_variant(const SweepResult& a, std::size_t i, const SweepResult& b, std::size_t j) {
+    const auto changed = [](const SweepResult& of, std::size_t rung) {
+        return of.sweep.kind == SweepKind::found && rung != of.sweep.current;
+    };
+    // What a knob calls the scene's own may be written out, such as "nearest".
+    const auto knobs = [](const SweepResult& of, std::size_t rung) {
+        return rung == of.sweep.current ? Knobs{} : of.sweep.rungs[rung].variant.knobs;
+    };
+    return !changed(a, i) && !changed(b, j) && a.sweep.rungs[i].variant.rungs == b.sweep.rungs[j].variant.rungs &&
+           knobs(a, i) == knobs(b, j);
+}
 
 std::vector<ColumnChoice> choose_columns(const std::vector<SlideRung>& rungs, std::size_t own) {
     return Chooser(rungs, own).choose();
@@ -178,7 +201,7 @@ std::vector<bool> common_front(const std::vector<SlideRung>& rungs) {
         front.push_back(may_be_on_front(rung) && ranges::none_of(rungs, [&](const SlideRung& other) {
                             const bool judged = other.sweep == rung.sweep && rung.sweep->sweep.kind != SweepKind::found;
                             return &other != &rung && !judged && other.timed() && other.sweep->trusted() &&
-                                   beaten(rung.point, other.point);
+                                   beaten(rung, other);
                         }));
     return front;
 }

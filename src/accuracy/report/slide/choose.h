@@ -25,9 +25,12 @@ struct ColumnChoice {
     bool equal_time = false, equal_error = false;
 };
 
+// Whether a rung of one sweep draws the same as one of another: the same rungs of ladders and knobs, no text changed.
+bool same_variant(const SweepResult& a, std::size_t i, const SweepResult& b, std::size_t j);
+
 // The columns from left to right. `own` is the index of the scene's own rung, or the number of rungs if it was not
 // drawn.
-//   Equal time: not told apart from that of the scene's own rung, within a quarter; the errors differ.
+//   Equal time: that of the scene's own rung, within a quarter; the errors differ.
 //   Equal error: within a tenth; the times are told apart.
 // Of each, at most two others. Where there are fewer, the best bargain, the first and the last rung of the scene's
 // ladder and the cheapest of the front may fill the columns; only pictures that differ from those shown do.

@@ -19,7 +19,7 @@ constexpr std::size_t most_front_labels = 4;    // besides those of the columns
 constexpr double label_width = 420, near = 30;  // in pixels
 constexpr std::size_t most_label_lines = 2;
 
-bool has_bar(const SlidePoint& p) { return p.low > 0 && std::isfinite(p.high); }
+bool has_bar(const SlidePoint& p) { return p.has_interval() && p.low < p.high; }
 // It has a place on the axis of errors.
 bool ranked(const SlidePoint& p) { return p.error > 0 && std::isfinite(p.error); }
 

@@ -114,16 +114,30 @@ bool same_picture(const RungResult& a, const RungResult& b) {
 
 // The same combination occurs in several sweeps, such as the last rungs of all ladders, and the scene as it is.
 bool already_there(const std::vector<SlideRung>& rungs, const SweepResult& sweep, std::size_t rung) {
-    const auto drawn_as = [](const SweepResult& of, std::size_t i) -> const Variant& {
-        return of.sweep.rungs[i].variant;
-    };
-    const Variant& variant = drawn_as(sweep, rung);
     return ranges::any_of(rungs, [&](const SlideRung& other) {
-        if (other.sweep == &sweep || !same_picture(other.result(), sweep.rungs[rung])) return false;
-        if (other.sweep->sweep.kind == SweepKind::found) return other.point.own && variant.knobs == Knobs{};
-        const Variant& known = drawn_as(*other.sweep, other.rung);
-        return known.rungs == variant.rungs && known.knobs == variant.knobs;
+        return other.sweep != &sweep && same_picture(other.result(), sweep.rungs[rung]) &&
+               same_variant(*other.sweep, other.rung, sweep, rung);
     });
+}
+
+// The time that the ratios of the sweep are times of. Tables are measured at different moments, so it is that of a rung
+// which is placed already, if the sweep has one too; the base first.
+Interval base_time(const std::vector<SlideRung>& rungs, const SweepResult& sweep) {
+    const std::size_t base = sweep.sweep.current;
+    const auto by = [&](std::size_t i) -> std::optional<Interval> {
+        const Interval& ratio = sweep.rungs[i].ratio;
+        for (const SlideRung& other : rungs)
+            if (const SlidePoint& p = other.point; sweep.rungs[i].rounds > 0 && ratio.middle > 0 && other.timed() &&
+                                                   same_variant(*other.sweep, other.rung, sweep, i))
+                return Interval{p.low / ratio.high, p.milliseconds / ratio.middle, p.high / ratio.low};
+        return std::nullopt;
+    };
+    const double own = sweep.rungs[base].milliseconds;
+    if (rungs.empty()) return {own, own, own};
+    if (const auto time = by(base)) return *time;
+    for (std::size_t i = 0; i < sweep.rungs.size(); ++i)
+        if (const auto time = by(i)) return *time;
+    return {sweep.rungs[base].low, own, sweep.rungs[base].high};
 }
 
 // True of names such as "8x8", which say nothing without that of their sweep.
@@ -149,7 +163,8 @@ void tell_apart(std::vector<SlideRung>& rungs) {
 
 std::vector<SlideRung> rungs_of(const Shown& shown) {
     std::vector<SlideRung> result;
-    for (const SweepResult* sweep : shown.sweeps)
+    for (const SweepResult* sweep : shown.sweeps) {
+        const Interval time = base_time(result, *sweep);
         for (std::size_t i = 0; i < sweep->rungs.size(); ++i) {
             const RungResult& rung = sweep->rungs[i];
             if (!rung.drawn || std::isnan(rung.whole.light.rmse) || plainly_visible(*sweep, i) ||
@@ -159,13 +174,14 @@ std::vector<SlideRung> rungs_of(const Shown& shown) {
             entry.point.name = name_of(shown, *sweep, i);
             entry.point.error = std::max(shown.error(*sweep, i), shown.floor);
             entry.point.own = sweep == shown.sweeps.front() && i == sweep->sweep.current;
-            if (rung.rounds > 0) {
-                entry.point.milliseconds = rung.milliseconds;
-                entry.point.low = rung.low;
-                entry.point.high = rung.high;
+            if (rung.rounds > 0 && rung.ratio.middle > 0) {
+                entry.point.milliseconds = time.middle * rung.ratio.middle;
+                entry.point.low = time.low * rung.ratio.low;
+                entry.point.high = time.high * rung.ratio.high;
             }
             result.push_back(std::move(entry));
         }
+    }
     if (shown.sweeps.size() > 1) tell_apart(result);
     const std::vector<bool> front = common_front(result);
     for (std::size_t i = 0; i < result.size(); ++i) result[i].point.front = front[i];

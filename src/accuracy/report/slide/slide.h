@@ -2,6 +2,7 @@
 // files out; no GL.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -29,11 +30,14 @@ inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max()
 
 struct SlidePoint {
     std::string name;
-    double error = 0;                            // 0: equal to the reference; infinite: pixels that are not finite
-    double milliseconds = 0, low = 0, high = 0;  // the median and its interval
+    double error = 0;  // 0: equal to the reference; infinite: pixels that are not finite
+    // The ratio to the scene's own rung in its own table, and its interval, times one time of the scene.
+    double milliseconds = 0, low = 0, high = 0;
     bool front = false;
     bool own = false;                // as the scene sets it
     std::size_t column = no_column;  // where its picture is shown
+
+    bool has_interval() const { return low > 0 && std::isfinite(high); }
 };
 
 // A rung whose picture is shown.
