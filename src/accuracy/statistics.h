@@ -1,6 +1,7 @@
 // Medians, their uncertainty, and ratios of values measured in the same rounds.
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Interval {
 
     bool contains(double value) const { return low <= value && value <= high; }
     double width() const { return high - low; }
+    // False if there were too few values.
+    bool known() const { return std::isfinite(high); }
 };
 
 // The interval misses the median of what the values are drawn from with a probability of at most `level`, half of it at

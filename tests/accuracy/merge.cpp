@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "src/accuracy/report/report.h"
@@ -75,10 +76,16 @@ std::string merged(std::initializer_list<NamedReport> reports) {
     return text.value_or("");
 }
 
-// The line of the rung.
-std::string line_of(const std::string& text, const std::string& rung) {
-    const std::size_t at = text.find("\n  " + rung + " ");
-    return at == std::string::npos ? "" : text.substr(at + 1, text.find('\n', at + 1) - at);
+// The rows of the rung, one for each machine, with single blanks.
+std::string rows_of(const std::string& text, const std::string& rung) {
+    std::size_t end = text.find("\n  " + rung + " "), begin = end;
+    if (begin == std::string::npos) return "";
+    do end = std::min(text.find('\n', end + 1), text.size());
+    while (text.compare(end, 4, "\n   ") == 0);
+    std::string rows;
+    for (const char c : text.substr(begin, end - begin))
+        if (c != ' ' || !rows.ends_with(' ')) rows += c;
+    return rows;
 }
 
 TEST(Merge, BargainThatFlipsBetweenMachinesIsNotPortable) {
@@ -87,9 +94,34 @@ TEST(Merge, BargainThatFlipsBetweenMachinesIsNotPortable) {
     const auto text = merged_text(reports, error);
     ASSERT_TRUE(text) << error;
     EXPECT_NE(text->find("A: one.json (one"), std::string::npos) << *text;
-    EXPECT_EQ(line_of(*text, "a").find("not portable"), std::string::npos) << *text;
-    EXPECT_NE(line_of(*text, "b").find("not portable"), std::string::npos) << *text;
-    EXPECT_NE(line_of(*text, "b").find("dominated by c"), std::string::npos) << *text;
+    EXPECT_EQ(rows_of(*text, "a").find("not portable"), std::string::npos) << *text;
+    EXPECT_NE(rows_of(*text, "b").find("not portable"), std::string::npos) << *text;
+    EXPECT_NE(rows_of(*text, "b").find("dominated by c"), std::string::npos) << *text;
+}
+
+TEST(Merge, FitsATerminal) {
+    const std::string path = "/home/somebody/with/a/long/folder/name/and/another/long/folder/name/in/it/scene.glib";
+    const std::string long_name(90, 'n');
+    std::vector<NamedReport> reports;
+    for (const char* name : {"one", "two", "three", "four"})
+        reports.push_back(changed(report(name + std::string(100, 'x'), .5, 1.3, true, path + "/" + name + "/s.glib"),
+                                  "\"b\"", '"' + long_name + '"'));
+    std::string error, text = merged_text(reports, error).value_or(error);
+    EXPECT_NE(text.find("dominated by c"), std::string::npos) << text;
+    for (std::size_t at = 0, end; at < text.size(); at = end + 1) {
+        end = std::min(text.find('\n', at), text.size());
+        EXPECT_LE(end - at, content::page_columns) << text.substr(at, end - at);
+    }
+}
+
+// Of few rounds there is no interval.
+TEST(Merge, RatiosWithoutAnIntervalAreListed) {
+    NamedReport few = report("few", .5, .8);
+    auto json = nlohmann::ordered_json::parse(few.json);
+    json["ladders"][0]["rungs"][1]["ratio_to_current"] = {{"median", .75}, {"lo95", nullptr}, {"hi95", nullptr}};
+    few.json = json.dump();
+    const std::string text = merged({report("one", .5, .8), few});
+    EXPECT_NE(rows_of(text, "b").find(" B 0.75 "), std::string::npos) << text;
 }
 
 TEST(Merge, NoisyMachineContradictsNothing) {
@@ -98,7 +130,7 @@ TEST(Merge, NoisyMachineContradictsNothing) {
     const auto text = merged_text(reports, error);
     ASSERT_TRUE(text) << error;
     EXPECT_EQ(text->find("not portable"), std::string::npos) << *text;
-    EXPECT_NE(line_of(*text, "b").find("can't say"), std::string::npos) << *text;
+    EXPECT_NE(rows_of(*text, "b").find("can't say"), std::string::npos) << *text;
 }
 
 TEST(Merge, WhatIsNoReportOrSharesNothingIsAnError) {
@@ -114,7 +146,7 @@ TEST(Merge, WhatIsNoReportOrSharesNothingIsAnError) {
 TEST(Merge, ScenesAreMatchedByTheirFilesNames) {
     const std::string text =
         merged({report("one", .5, .8, true, "/home/a/scene.glib"), report("two", .5, 1.3, true, "scene.glib")});
-    EXPECT_NE(line_of(text, "b").find("not portable"), std::string::npos) << text;
+    EXPECT_NE(rows_of(text, "b").find("not portable"), std::string::npos) << text;
     EXPECT_NE(text.find("matched by the file's name: A: /home/a/scene.glib, B: scene.glib"), std::string::npos) << text;
     EXPECT_EQ(merged({report("one", .5, .8), report("two", .5, .8)}).find("matched by"), std::string::npos);
 }
@@ -139,25 +171,25 @@ TEST(Merge, PicturesOfDifferentSizesAreNotCompared) {
     const std::string text = merged({report("one", .5, .8), report("two", .5, 1.3, true, "scene.glib", 32)});
     EXPECT_NE(text.find("not comparable: A: 64 x 64, B: 32 x 32"), std::string::npos) << text;
     EXPECT_EQ(text.find("not portable"), std::string::npos) << text;
-    EXPECT_NE(line_of(text, "b").find("can't say"), std::string::npos) << text;
+    EXPECT_NE(rows_of(text, "b").find("can't say"), std::string::npos) << text;
 }
 
 TEST(Merge, RungsOfAnyReportAreListed) {
     const std::string text = merged({report("one", .5, .8), changed(report("two", .5, .8), "\"b\"", "\"new\"")});
-    EXPECT_NE(line_of(text, "new").find("A: -"), std::string::npos) << text;
-    EXPECT_NE(line_of(text, "new").find("B: 0.8"), std::string::npos) << text;
-    EXPECT_NE(line_of(text, "b").find("A: 0.8"), std::string::npos) << text;
+    EXPECT_NE(rows_of(text, "new").find(" A -"), std::string::npos) << text;
+    EXPECT_NE(rows_of(text, "new").find(" B 0.8"), std::string::npos) << text;
+    EXPECT_NE(rows_of(text, "b").find(" A 0.8"), std::string::npos) << text;
 }
 
 TEST(Merge, FoundRungsAreMatchedByWhatTheyChange) {
     const std::string same = merged({found_report("one", .5, "3", "i < 4"), found_report("two", .6, "7", "i < 4")});
     EXPECT_NE(same.find("\nscene.glib: found rungs\n"), std::string::npos) << same;
-    EXPECT_NE(line_of(same, "a.frag:3:5: i < 8 → i < 4").find("B: 0.6"), std::string::npos) << same;
+    EXPECT_NE(rows_of(same, "a.frag:3:5: i < 8 → i < 4").find(" B 0.6"), std::string::npos) << same;
     EXPECT_EQ(same.find("not portable"), std::string::npos) << same;
     const std::string flips = merged({found_report("one", .5, "3", "i < 4"), found_report("two", 1.5, "3", "i < 4")});
-    EXPECT_NE(line_of(flips, "a.frag:3:5: i < 8 → i < 4").find("not portable"), std::string::npos) << flips;
+    EXPECT_NE(rows_of(flips, "a.frag:3:5: i < 8 → i < 4").find("not portable"), std::string::npos) << flips;
     const std::string other = merged({found_report("one", .5, "3", "i < 4"), found_report("two", .5, "3", "i < 2")});
-    EXPECT_NE(line_of(other, "a.frag:3:5: i < 8 → i < 4").find("can't say"), std::string::npos) << other;
+    EXPECT_NE(rows_of(other, "a.frag:3:5: i < 8 → i < 4").find("can't say"), std::string::npos) << other;
 }
 
 TEST(Merge, DamagedNumbersAndOtherSchemasAreErrors) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace snell::test {
 namespace {
@@ -80,6 +81,25 @@ TEST(Report, PicturesOfAnyShapeAreShown) {
         EXPECT_NE(page.find("base64,iVBOR"), std::string::npos) << width;
         EXPECT_EQ(page.find("base64,\""), std::string::npos) << width;
     }
+}
+
+TEST(Report, TooFewRoundsHaveNoInterval) {
+    SweepResult sweep{.scene = "a, \"b\".glib", .sweep = {.name = "L"}, .clock = ClockKind::cpu};
+    for (const double time : {1.5, 3.}) {
+        sweep.rungs.push_back({.name = "=rung", .drawn = true, .cpu = {time, time, time}});
+        sweep.sweep.rungs.push_back({.name = "=rung"});
+    }
+    conclude(sweep, sweep.rungs[0].cpu);
+    EXPECT_EQ(time_text(sweep.rungs[0]), "1.5 ms (from 3 rounds, too few for an interval)");
+    EXPECT_EQ(noise_sentence(sweep.control), "There are too few rounds to compare costs.");
+    const Report report{.sweeps = {sweep}};
+    const auto ladder = nlohmann::json::parse(json_text(report))["ladders"][0];
+    for (const auto& of : {ladder["aa_control"], ladder["rungs"][1]["ms"], ladder["rungs"][1]["ratio_to_current"]})
+        EXPECT_TRUE(of["lo95"].is_null() && of["hi95"].is_null()) << of;
+    EXPECT_EQ(ladder["rungs"][1]["ratio_to_current"]["median"], 2);
+    const std::string csv = csv_text(report), first = "\n\"a, \"\"b\"\".glib\",L,'=rung,1,1,";
+    EXPECT_NE(csv.find(first), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",3,process CPU time,3,0,,,2,,,3,,,0,"), std::string::npos) << csv;
 }
 
 TEST(Report, UnknownNumbersAreQuestionMarks) {

@@ -60,13 +60,10 @@ Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t ind
 
 std::string cell(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
 
-// Commas and quotes would end a cell, so they are replaced.
-std::string cell(std::string_view words) {
-    std::string text(words);
-    for (char& c : text)
-        if (c == ',' || c == '"' || c == '\n') c = ' ';
-    return text;
-}
+std::string cell(std::string_view words) { return std::string(words); }
+// The ends of an interval; empty if it is not known.
+std::string low_cell(const Interval& of) { return of.known() ? cell(of.low) : ""; }
+std::string high_cell(const Interval& of) { return of.known() ? cell(of.high) : ""; }
 std::string cell(bool value) { return value ? "1" : "0"; }
 std::string cell(std::size_t value) { return std::to_string(value); }
 std::string cell(int value) { return std::to_string(value); }
@@ -95,36 +92,38 @@ struct Column {
     std::string_view name;
     std::string (*value)(const Row&);
     enum class When : std::uint8_t { always, drawn, timed } when = When::always;  // otherwise the cell is empty
+    content::CellKind kind = content::CellKind::number;
 };
 
-constexpr auto drawn = Column::When::drawn, timed = Column::When::timed;
+constexpr auto always = Column::When::always, drawn = Column::When::drawn, timed = Column::When::timed;
+constexpr auto words = content::CellKind::words;
 constexpr Column columns[]{
-    {"scene", [](const Row& r) { return cell(r.sweep.scene); }},
-    {"ladder", [](const Row& r) { return cell(r.sweep.sweep.name); }},
-    {"rung", [](const Row& r) { return cell(r.rung.name); }},
+    {"scene", [](const Row& r) { return cell(r.sweep.scene); }, always, words},
+    {"ladder", [](const Row& r) { return cell(r.sweep.sweep.name); }, always, words},
+    {"rung", [](const Row& r) { return cell(r.rung.name); }, always, words},
     {"is_reference", [](const Row& r) { return cell(r.index == r.sweep.sweep.reference); }},
     {"is_current", [](const Row& r) { return cell(r.index == r.sweep.sweep.current); }},
-    {"from", [](const Row& r) { return cell(r.where.from); }},
+    {"from", [](const Row& r) { return cell(r.where.from); }, always, words},
     {"tuple", [](const Row& r) { return fmt::format("{}", fmt::join(r.rung.steps, " ")); }},
     {"n_rounds", [](const Row& r) { return cell(r.rung.rounds); }},
-    {"clock", [](const Row& r) { return cell(name(r.sweep.clock)); }},
+    {"clock", [](const Row& r) { return cell(name(r.sweep.clock)); }, always, words},
     {"ms_median", [](const Row& r) { return cell(r.rung.milliseconds); }, timed},
     {"ms_mad", [](const Row& r) { return cell(mad(present(r.times()))); }, timed},
-    {"ms_lo95", [](const Row& r) { return cell(r.rung.low); }, timed},
-    {"ms_hi95", [](const Row& r) { return cell(r.rung.high); }, timed},
+    {"ms_lo95", [](const Row& r) { return low_cell(interval(r.times())); }, timed},
+    {"ms_hi95", [](const Row& r) { return high_cell(interval(r.times())); }, timed},
     {"ratio", [](const Row& r) { return cell(r.rung.ratio.middle); }, timed},
-    {"ratio_lo95", [](const Row& r) { return cell(r.rung.ratio.low); }, timed},
-    {"ratio_hi95", [](const Row& r) { return cell(r.rung.ratio.high); }, timed},
+    {"ratio_lo95", [](const Row& r) { return low_cell(r.rung.ratio); }, timed},
+    {"ratio_hi95", [](const Row& r) { return high_cell(r.rung.ratio); }, timed},
     {"cpu_ms_median", [](const Row& r) { return cell(interval(r.rung.cpu).middle); }, timed},
-    {"cpu_lo95", [](const Row& r) { return cell(interval(r.rung.cpu).low); }, timed},
-    {"cpu_hi95", [](const Row& r) { return cell(interval(r.rung.cpu).high); }, timed},
+    {"cpu_lo95", [](const Row& r) { return low_cell(interval(r.rung.cpu)); }, timed},
+    {"cpu_hi95", [](const Row& r) { return high_cell(interval(r.rung.cpu)); }, timed},
     {"cpu_cv", [](const Row& r) { return cell(variation(present(r.rung.cpu))); }, timed},
     {"wall_ms_median", [](const Row& r) { return cell(median(present(r.rung.wall))); }, timed},
     {"wall_cv", [](const Row& r) { return cell(variation(present(r.rung.wall))); }, timed},
     {"gpu_ms_median", [](const Row& r) { return cell(median(present(r.rung.gpu))); }, timed},
     {"aa_control_ratio", [](const Row& r) { return cell(r.sweep.control.ratio.middle); }},
-    {"aa_control_lo95", [](const Row& r) { return cell(r.sweep.control.ratio.low); }},
-    {"aa_control_hi95", [](const Row& r) { return cell(r.sweep.control.ratio.high); }},
+    {"aa_control_lo95", [](const Row& r) { return low_cell(r.sweep.control.ratio); }},
+    {"aa_control_hi95", [](const Row& r) { return high_cell(r.sweep.control.ratio); }},
     {"noisy", [](const Row& r) { return cell(!r.sweep.trusted()); }},
     {"rmse_light", [](const Row& r) { return cell(r.rung.own.light.rmse); }, drawn},
     {"psnr_light_db", [](const Row& r) { return cell(r.rung.own.light.psnr); }, drawn},
@@ -150,33 +149,32 @@ constexpr Column columns[]{
     {"below_residual", [](const Row& r) { return cell(r.rung.below_residual); }, drawn},
     {"on_front",
      [](const Row& r) { return cell(r.found_standing ? *r.found_standing == "front" : on_front(r.sweep, r.rung)); }},
-    {"standing", [](const Row& r) { return cell(r.standing()); }},
-    {"cannot_say", [](const Row& r) { return cell(r.sweep.cannot_say); }},
-    {"machine", [](const Row& r) { return cell(r.where.cpu); }},
+    {"standing", [](const Row& r) { return cell(r.standing()); }, always, words},
+    {"cannot_say", [](const Row& r) { return cell(r.sweep.cannot_say); }, always, words},
+    {"machine", [](const Row& r) { return cell(r.where.cpu); }, always, words},
     {"cores", [](const Row& r) { return cell(r.where.cores); }},
-    {"os", [](const Row& r) { return cell(r.where.os); }},
-    {"renderer", [](const Row& r) { return cell(r.where.renderer); }},
-    {"gl", [](const Row& r) { return cell(r.where.gl); }},
+    {"os", [](const Row& r) { return cell(r.where.os); }, always, words},
+    {"renderer", [](const Row& r) { return cell(r.where.renderer); }, always, words},
+    {"gl", [](const Row& r) { return cell(r.where.gl); }, always, words},
     {"width", [](const Row& r) { return cell(r.pictures[0]); }},
     {"height", [](const Row& r) { return cell(r.pictures[1]); }},
     {"reps", [](const Row& r) { return cell(r.where.rounds); }},
-    {"date", [](const Row& r) { return cell(r.where.date); }},
+    {"date", [](const Row& r) { return cell(r.where.date); }, always, words},
     {"load_before", [](const Row& r) { return cell(r.where.load_before); }},
     {"load_after", [](const Row& r) { return cell(r.where.load_after); }},
-    {"place", [](const Row& r) { return cell(std::string_view(r.place)); }},
-    {"change", [](const Row& r) { return cell(std::string_view(r.change)); }},
+    {"place", [](const Row& r) { return cell(std::string_view(r.place)); }, always, words},
+    {"change", [](const Row& r) { return cell(std::string_view(r.change)); }, always, words},
     {"ms_width", [](const Row& r) { return cell(r.frames[0]); }, timed},
     {"ms_height", [](const Row& r) { return cell(r.frames[1]); }, timed},
 };
 
-std::string row_text(const Row& row) {
-    std::vector<std::string> cells;
+void add_row(content::Table& table, const Row& row) {
+    std::vector<std::string>& cells = table.rows.emplace_back().cells;
     for (const Column& column : columns) {
         const bool known = column.when == Column::When::always || (column.when == drawn && row.rung.drawn) ||
                            (column.when == timed && row.timed());
         cells.push_back(known ? column.value(row) : std::string());
     }
-    return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
 Json sweep_json(const SweepResult& sweep) {
@@ -193,9 +191,10 @@ Json sweep_json(const SweepResult& sweep) {
               {"trusted", sweep.trusted()},
               {"cannot_say", sweep.cannot_say},
               {"words", in_words(sweep)}};
-    json["aa_control"] = {{"ratio", number(sweep.control.ratio.middle)},
-                          {"lo95", number(sweep.control.ratio.low)},
-                          {"hi95", number(sweep.control.ratio.high)},
+    const Json control = interval_json(sweep.control.ratio);
+    json["aa_control"] = {{"ratio", control["median"]},
+                          {"lo95", control["lo95"]},
+                          {"hi95", control["hi95"]},
                           {"noise", number(sweep.control.noise)}};
     json["family_level"] = family_level;
     json["reference"] = {{"rung", sweep.rungs[sweep.sweep.reference].name},
@@ -215,28 +214,27 @@ Json sweep_json(const SweepResult& sweep) {
 }  // namespace
 
 std::string csv_text(const Report& report) {
-    std::string text;
-    for (const Column& column : columns) text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
-    text += '\n';
+    content::Table table;
+    for (const Column& column : columns) table.columns.push_back({std::string(column.name), column.kind});
     for (const SweepResult& sweep : report.sweeps)
-        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) text += row_text({report.where, sweep, i});
+        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) add_row(table, {report.where, sweep, i});
     for (const FoundResult& found : report.found)
         for (const Aim aim : {Aim::cheaper, Aim::better, Aim::unused}) {
             const SweepResult listed = as_sweep(found, aim);
             for (std::size_t i = 0; i < listed.rungs.size(); ++i) {
                 const FoundRung* rung = found.find(listed.rungs[i].name);
                 if (!rung) continue;
-                text += row_text({report.where,
-                                  listed,
-                                  i,
-                                  place_of(found, *rung),
-                                  change_of(found, *rung),
-                                  standing_of(found, *rung),
-                                  {rung->width, rung->height},
-                                  aim == Aim::cheaper ? found.timed_size : found.costs_size});
+                add_row(table, {report.where,
+                                listed,
+                                i,
+                                place_of(found, *rung),
+                                change_of(found, *rung),
+                                standing_of(found, *rung),
+                                {rung->width, rung->height},
+                                aim == Aim::cheaper ? found.timed_size : found.costs_size});
             }
         }
-    return text;
+    return content::table_csv(table);
 }
 
 std::string json_text(const Report& report) {

@@ -43,7 +43,7 @@ summary{cursor:pointer;color:var(--accent);margin:.6rem 0}
 .pictures{display:flex;flex-wrap:wrap;gap:.8rem;margin-top:1rem}
 figure{margin:0;background:var(--panel);padding:.4rem;border-radius:4px}
 figure img{width:144px;height:auto;display:inline-block;image-rendering:auto;vertical-align:top}
-figcaption{font-size:.8rem;max-width:292px}
+figcaption{font-size:.8rem;max-width:292px;overflow-wrap:anywhere}
 @media (max-width:480px){body{padding:.6rem}figure img{width:45%}figcaption{max-width:none}figure{width:100%}}
 @media print{:root{--back:#fff;--text:#000;--weak:#444;--line:#bbb;--accent:#000;--current:#a00;--panel:#fff}body{max-width:none;font-size:11px}section{break-inside:avoid}.scroll{overflow:visible}.plot{min-width:0;max-width:16cm}}
 )";

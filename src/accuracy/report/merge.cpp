@@ -58,11 +58,12 @@ std::string text_of(const Json& json) { return utf8::printable(json.get<std::str
 
 std::string file_name(const std::string& path) { return path.substr(path.find_last_of("/\\") + 1); }
 
-// JSON has no infinity.
+// Of too few rounds there is no interval.
 Interval interval_of(const Json& json) {
-    const Json& high = json.at("hi95");
-    return {json.at("lo95").get<double>(), json.at("median").get<double>(),
-            high.is_null() ? std::numeric_limits<double>::infinity() : high.get<double>()};
+    const Json &low = json.at("lo95"), &high = json.at("hi95");
+    const double middle = json.at("median").get<double>();
+    if (low.is_null() || high.is_null()) return {0, middle, std::numeric_limits<double>::infinity()};
+    return {low.get<double>(), middle, high.get<double>()};
 }
 
 // `base`: what the ratio is to.
@@ -177,8 +178,8 @@ std::string notes_text(const std::vector<const OnMachine*>& on, bool comparable)
         one_path = one_path && machine->scene == on.front()->scene;
     }
     std::string text;
-    if (!one_path) text += fmt::format("  matched by the file's name: {}\n", fmt::join(paths, ", "));
-    if (!comparable) text += fmt::format("  not comparable: {}\n", fmt::join(sizes, ", "));
+    if (!one_path) text += content::paragraph(fmt::format("matched by the file's name: {}", fmt::join(paths, ", ")), 2);
+    if (!comparable) text += content::paragraph(fmt::format("not comparable: {}", fmt::join(sizes, ", ")), 2);
     return text;
 }
 
@@ -187,25 +188,33 @@ std::string ladder_text(const std::vector<const OnMachine*>& on) {
     const bool comparable =
         ranges::all_of(on, [&](const OnMachine* machine) { return machine->size == on.front()->size; });
     std::string text = notes_text(on, comparable);
-    std::size_t width = 8;
-    for (const std::string& rung : rungs) width = std::max(width, rung.size());
+    using content::CellKind;
+    content::Table table{{{"rung", CellKind::words},
+                          {"on", CellKind::words},
+                          {"relative to current", CellKind::number},
+                          {"standing", CellKind::words},
+                          {"remarks", CellKind::words}},
+                         {}};
     for (const std::string& rung : rungs) {
-        text += fmt::format("  {:<{}}", rung, width);
+        const std::size_t first = table.rows.size();
         std::vector<const Measured*> trusted;
         for (const OnMachine* machine : on) {
             const auto found = machine->costs.find(rung);
             const bool known = found != machine->costs.end() && found->second.known;
-            text += fmt::format("  {}: {:<20} {:<24}", letter(machine->machine),
-                                known ? ratio_text(found->second.ratio) : "-",
-                                !known             ? "not measured"
-                                : machine->trusted ? found->second.standing
-                                                   : "not trusted");
+            table.rows.push_back({{table.rows.size() == first ? rung : "", std::string(1, letter(machine->machine)),
+                                   known ? ratio_text(found->second.ratio) : "-",
+                                   !known             ? "not measured"
+                                   : machine->trusted ? found->second.standing
+                                                      : "not trusted",
+                                   ""}});
             if (known && machine->trusted && (found->second.cost != 0 || found->second.front() != 0))
                 trusted.push_back(&found->second);
         }
-        text += trusted.size() < 2 || !comparable ? "  can't say\n" : portable(trusted) ? "\n" : "  not portable\n";
+        table.rows[first].cells.back() = trusted.size() < 2 || !comparable ? "can't say"
+                                         : portable(trusted)               ? ""
+                                                                           : "not portable";
     }
-    return text;
+    return text + content::table_text(table.without_empty());
 }
 
 }  // namespace
@@ -218,7 +227,8 @@ std::optional<std::string> merged_text(std::span<const NamedReport> reports, std
         machines.push_back(std::move(*machine));
     }
     std::string text = "Costs relative to each scene's current rung\n";
-    for (std::size_t i = 0; i < machines.size(); ++i) text += fmt::format("  {}: {}\n", letter(i), machines[i].name);
+    for (std::size_t i = 0; i < machines.size(); ++i)
+        text += content::paragraph(fmt::format("{}: {}", letter(i), machines[i].name), 2);
     const std::set<std::string> ambiguous = ambiguous_names(machines);
     std::map<Key, std::vector<const OnMachine*>> ladders;
     for (const Machine& machine : machines)
@@ -230,7 +240,7 @@ std::optional<std::string> merged_text(std::span<const NamedReport> reports, std
     for (const auto& [key, on] : ladders) {
         if (on.size() < 2) continue;
         any = true;
-        text += fmt::format("\n{}: {}\n{}", key.first, key.second, ladder_text(on));
+        text += "\n" + content::paragraph(key.first + ": " + key.second, 0) + ladder_text(on);
     }
     if (any) return text;
     error = "no ladder and no found rung is in more than one of these reports";

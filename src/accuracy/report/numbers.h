@@ -15,7 +15,8 @@ inline nlohmann::ordered_json number(double value) {
 }
 
 inline nlohmann::ordered_json interval_json(const Interval& interval) {
-    return {{"median", number(interval.middle)}, {"lo95", number(interval.low)}, {"hi95", number(interval.high)}};
+    const double low = interval.known() ? interval.low : std::nan("");
+    return {{"median", number(interval.middle)}, {"lo95", number(low)}, {"hi95", number(interval.high)}};
 }
 
 inline nlohmann::ordered_json figures_json(const Figures& figures) {

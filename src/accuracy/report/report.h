@@ -42,11 +42,11 @@ std::vector<const SweepResult*> plots_of(const Report& report);
 std::string in_words(const SweepResult& sweep);
 // Formats as "1.02 [.99, 1.05]", with as many digits as the interval justifies.
 std::string ratio_text(const Interval& ratio);
-// Such as "1.02 ms [0.99, 1.05]"; and with its ratio to the current rung's.
+// Such as "1.02 ms [0.99, 1.05]", or why there is no interval; and with its ratio to the current rung's.
 std::string time_text(const RungResult& rung);
 std::string cost_text(const RungResult& rung, const SweepResult& sweep);
-// Such as "RMSE of light at most 0.1 and at most 16 ms".
-std::string wish_text(const Wish& wish);
+// Such as "RMSE of light from the reference at most 0.1 and at most 16 ms".
+std::string wish_text(const Wish& wish, std::string_view errors_from = "the reference");
 // What is added to an error when it is compared with a limit, such as " and up to 0.01 of the reference".
 std::string residual_text(const SweepResult& sweep, const Wish& wish);
 // Which differences are not told because of the noise of the run, as a sentence; empty if it is small.

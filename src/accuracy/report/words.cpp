@@ -84,15 +84,15 @@ std::string standing_sentences(const SweepResult& sweep) {
 
 std::string ratio_text(const Interval& ratio) {
     if (!std::isfinite(ratio.middle)) return "?";
-    if (!std::isfinite(ratio.high)) return fmt::format("{:.3g}", ratio.middle);
+    if (!ratio.known()) return fmt::format("{:.3g}", ratio.middle);
     const double width = std::max(ratio.width(), 1e-4);
     const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(width))) + 1, 0, 3);
     return fmt::format("{:.{}f} [{:.{}f}, {:.{}f}]", ratio.middle, digits, ratio.low, digits, ratio.high, digits);
 }
 
-std::string wish_text(const Wish& wish) {
+std::string wish_text(const Wish& wish, std::string_view errors_from) {
     std::string text;
-    if (wish.error) text = fmt::format("RMSE of light at most {:.3g}", *wish.error);
+    if (wish.error) text = fmt::format("RMSE of light from {} at most {:.3g}", errors_from, *wish.error);
     if (wish.milliseconds) text += fmt::format("{}at most {:.3g} ms", text.empty() ? "" : " and ", *wish.milliseconds);
     return text.empty() ? "whatever its error is" : text;
 }
@@ -104,6 +104,9 @@ std::string residual_text(const SweepResult& sweep, const Wish& wish) {
 }
 
 std::string time_text(const RungResult& rung) {
+    if (!std::isfinite(rung.high))
+        return fmt::format("{:.3g} ms (from {} round{}, too few for an interval)", rung.milliseconds, rung.rounds,
+                           rung.rounds == 1 ? "" : "s");
     return fmt::format("{:.3g} ms [{:.3g}, {:.3g}]", rung.milliseconds, rung.low, rung.high);
 }
 
@@ -163,6 +166,7 @@ std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
 
 std::string noise_sentence(const Control& control) {
     if (!(control.noise > same_cost)) return "";
+    if (std::isinf(control.noise)) return "There are too few rounds to compare costs.";
     return fmt::format(
         "Differences of costs below {:.0f} % say nothing: the same picture, timed twice, differed so much.",
         100 * control.noise);

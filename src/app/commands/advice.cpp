@@ -30,16 +30,19 @@ using namespace snell::accuracy;
 std::string found_text(const Advice& advice, const SweepResult& sweep) {
     const RungResult& rung = sweep.rungs[advice.rung];
     const std::string now = sweep.rungs[sweep.sweep.current].name;
-    std::string text = fmt::format("  RMSE {:.3g}{}, {} '{}' takes\n", rung.own.light.rmse,
-                                   residual_text(sweep, advice.wish), cost_text(rung, sweep), now);
-    text += fmt::format("  {}; the last rungs at the scene's own samples and meshes: RMSE {:.3g}\n",
-                        sweep.reference_note, sweep.rungs[sweep.sweep.reference].own.light.rmse);
+    std::string text = content::paragraph(fmt::format("RMSE {:.3g}{}, {} '{}' takes", rung.own.light.rmse,
+                                                      residual_text(sweep, advice.wish), cost_text(rung, sweep), now),
+                                          2);
+    text += content::paragraph(fmt::format("{}; the last rungs at the scene's own samples and meshes: RMSE {:.3g}",
+                                           sweep.reference_note, sweep.rungs[sweep.sweep.reference].own.light.rmse),
+                               2);
     const char* what = advice.everything ? "every combination" : "every combination that differs in one ladder";
     text += advice.settled ? fmt::format("  {} was measured, none is better\n", what)
             : sweep.few_rounds
                 ? "  there were too few rounds to be sure: others may be better; more --budget or --reps tells\n"
                 : "  time was up: others may be better; more --budget tells\n";
-    if (const std::string noise = noise_sentence(sweep.control); !noise.empty()) text += "  " + noise + "\n";
+    if (const std::string noise = noise_sentence(sweep.control); !noise.empty() && !sweep.few_rounds)
+        text += content::paragraph(noise, 2);
     return text;
 }
 
@@ -57,15 +60,17 @@ std::string render_line(const Bench& bench, const std::string& path, const std::
 
 std::string advice_text(const std::string& path, const Bench& bench, const Advice& advice, const SweepResult& sweep) {
     if (!advice.known)
-        return fmt::format(
-            "\n{}: can't say: {}\n", wish_text(advice.wish),
-            sweep.cannot_say.empty() ? "no combination was drawn and timed with a finite error" : sweep.cannot_say);
+        return "\n" + content::paragraph(fmt::format("{}: can't say: {}", wish_text(advice.wish),
+                                                     sweep.cannot_say.empty()
+                                                         ? "no combination was drawn and timed with a finite error"
+                                                         : sweep.cannot_say),
+                                         0);
     const std::vector<std::string> rungs = choices(bench.scene(), sweep.sweep.rungs[advice.rung].variant.rungs);
     const char* kind = !advice.wish.milliseconds ? "the cheapest" : "the most exact";
-    std::string text = advice.met ? fmt::format("\n{}: {} is {}\n", wish_text(advice.wish), kind, fmt::join(rungs, " "))
-                                  : fmt::format("\n{}: nothing that was measured is; the nearest is {}\n",
-                                                wish_text(advice.wish), fmt::join(rungs, " "));
-    return text + found_text(advice, sweep) + "  " + render_line(bench, path, rungs) + "\n";
+    const std::string answer = advice.met ? fmt::format("{} is", kind) : "nothing that was measured is; the nearest is";
+    return "\n" +
+           content::paragraph(fmt::format("{}: {} {}", wish_text(advice.wish), answer, fmt::join(rungs, " ")), 0) +
+           found_text(advice, sweep) + "  " + render_line(bench, path, rungs) + "\n";
 }
 
 bool save_presets(const std::string& path, const Scene& scene, const Counsel& counsel, const Circumstances& where) {
@@ -109,8 +114,10 @@ bool tell_knob(const SweepResult& result, const Wish& wish) {
     const auto best = result.few_rounds ? std::nullopt : choose(result, wish);
     if (!best || !fulfils(result, result.rungs[*best], wish)) return false;
     const RungResult& rung = result.rungs[*best];
-    fmt::print("\n{}: of the knob {} it is '{}'\n  RMSE {:.3g}{}, {} times\n", wish_text(wish), result.sweep.name,
-               rung.name, rung.own.light.rmse,
+    fmt::print("\n{}  RMSE {:.3g}{}, {} times\n",
+               content::paragraph(
+                   fmt::format("{}: of the knob {} it is '{}'", wish_text(wish), result.sweep.name, rung.name), 0),
+               rung.own.light.rmse,
                wish.error && result.residual != 0 ? residual_text(result, wish) : " from the reference",
                ratio_text(rung.ratio));
     return true;
@@ -145,34 +152,46 @@ bool advise_knobs(const std::string& path, Bench& bench, const Rungs& now, const
     return met;
 }
 
+constexpr std::string_view from_scene = "the scene as it is";
+
 // What `choose` takes of the rungs that were found; the last one is the scene as it is.
 std::string found_choice_text(const std::string& path, const AccuracyOptions& options, const FoundResult& found,
                               std::size_t best) {
     const RungResult& rung = found.timed.rungs[best];
-    if (best == found.timed.sweep.current) return fmt::format("the scene as it is, {}\n", time_text(rung));
+    if (best == found.timed.sweep.current) return fmt::format("{}, {}\n", from_scene, time_text(rung));
     return fmt::format(
-        "found rung {} ({})\n  RMSE {:.3g} from the scene as it is, at the worst of {} places; {} the scene takes\n  "
-        "{}\n",
-        utf8::printable(rung.name), rung_name(rung.steps), rung.own.light.rmse, found.places.size(),
-        cost_text(rung, found.timed), apply_command(path, options.choices, rung_name(rung.steps), "FOLDER"));
+        "found rung {} ({})\n{}  {}\n", utf8::printable(rung.name), rung_name(rung.steps),
+        content::paragraph(
+            fmt::format("RMSE {:.3g} from {}, at the worst of {} places; {} the scene takes", rung.own.light.rmse,
+                        from_scene, found.places.size(), cost_text(rung, found.timed)),
+            2),
+        apply_command(path, options.choices, rung_name(rung.steps), "FOLDER"));
 }
 
-// False, too, if it is the scene as it is: ladders are judged by the reference, not by what the scene has.
+// The scene as it is has no error from itself, so it is an answer to a limit of time only, and of a scene without
+// ladders only: these are judged by the reference.
 bool advise_found(const std::string& path, const AccuracyOptions& options, const FoundResult& found, const Wish& wish,
                   bool ladders) {
+    const std::string wished = wish_text(wish, from_scene);
     const auto best = choose_surely(found.timed, wish);
     if (!best) {
-        fmt::print("\n{}: can't say of found rungs: none was timed\n", wish_text(wish));
+        fmt::print("\n{}: can't say of found rungs: none was timed\n", wished);
         return false;
     }
     const bool met = fulfils(found.timed, found.timed.rungs[*best], wish);
-    fmt::print("\n{}: {} {}", wish_text(wish),
+    if (*best == found.timed.sweep.current && (ladders || wish.error)) {
+        fmt::print("\n{}", content::paragraph(fmt::format("{}: no found rung is known to be better than the scene, {}",
+                                                          wished, time_text(found.timed.rungs[*best])),
+                                              0));
+        return false;
+    }
+    fmt::print("\n{}: {} {}", wished,
                !met                ? "no found rung is; the nearest is"
                : wish.milliseconds ? "the most exact is"
                                    : "the cheapest is",
                found_choice_text(path, options, found, *best));
     if (found.timed.few_rounds) fmt::print("  the costs are not sure: there were too few rounds\n");
-    return met && !(ladders && *best == found.timed.sweep.current);
+    return met;
 }
 
 // A preset names rungs of ladders, so a scene without ladders has none: what would be in it, and how to get there.

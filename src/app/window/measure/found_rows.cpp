@@ -59,8 +59,8 @@ void measured(ui::FoundRow& row, const FoundRung& rung, const FoundResult& resul
     row.ratio = rung.quick_ratio;
     if (const accuracy::RungResult* times = result.times(rung)) {
         row.ratio = times->ratio.middle;
-        row.low = times->ratio.low;
-        row.high = times->ratio.high;
+        row.low = times->ratio.known() ? times->ratio.low : 0;
+        row.high = times->ratio.known() ? times->ratio.high : 0;
     }
     row.loading = rung.load_ms.value_or(0);
     row.bytes = static_cast<std::uint64_t>(std::max<std::int64_t>(rung.gpu_bytes, 0));
