@@ -75,10 +75,6 @@ std::optional<Chosen> choose_changes(std::string_view name, std::span<const Chan
     return chosen;
 }
 
-std::string chosen_name(const Chosen& chosen, std::string_view separator) {
-    return fmt::format("{}", fmt::join(chosen.numbers, separator));
-}
-
 std::string change_place(const Change& change, const Sources& sources) {
     const Position at = sources.position(change.where.file, change.where.begin);
     return fmt::format("{}:{}:{}", utf8::printable(sources.name(change.where.file)), at.line, at.column);

@@ -24,9 +24,6 @@ struct Chosen {
 std::optional<Chosen> choose_changes(std::string_view name, std::span<const Change> changes, const Sources& sources,
                                      std::string& error);
 
-// Such as "3+7", or with another separator.
-std::string chosen_name(const Chosen& chosen, std::string_view separator = "+");
-
 // Such as "glass.frag:12:5".
 std::string change_place(const Change& change, const Sources& sources);
 

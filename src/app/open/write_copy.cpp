@@ -129,10 +129,6 @@ std::string check_folder(const std::string& folder) {
     return wrong;
 }
 
-std::string copied_scene(const std::string& scene, const Access& access, const std::string& folder) {
-    return (fs::path(folder) / names_for(marked_path(scene), access).scene).string();
-}
-
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
                        const std::string& folder) {
     WrittenCopy copy;

@@ -25,7 +25,4 @@ std::string check_folder(const std::string& folder);
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
                        const std::string& folder);
 
-// The path of the scene in a folder that write_copy would write.
-std::string copied_scene(const std::string& scene, const Access& access, const std::string& folder);
-
 }  // namespace snell::app
