@@ -176,8 +176,7 @@ TEST_F(HostileSubmission, AShaderThatTakesForeverIsStopped) {
     const Outcome made = grade("r.toml s -o out");
     ASSERT_EQ(made.status, 0) << made.output;
     EXPECT_NE(result("slow")["problem"].get<std::string>().find("takes longer than 2 seconds"), std::string::npos);
-    EXPECT_NE(result("slow")["problem"].get<std::string>().find(": its picture takes"),
-              std::string::npos);
+    EXPECT_NE(result("slow")["problem"].get<std::string>().find(": its picture takes"), std::string::npos);
     EXPECT_EQ(result("slow")["items"][0]["points"], 1) << "what needs no picture is judged";
     EXPECT_NE(page("slow").find("takes longer than 2 seconds"), std::string::npos);
 }

@@ -165,7 +165,8 @@ TEST_F(Faults, WithLittleAddressSpaceItSaysSo) {
         for (int kilobytes = 180000; kilobytes <= 660000; kilobytes += 40000) {
             const Outcome out = run("ulimit -c 0; ulimit -v " + std::to_string(kilobytes) +
                                     "; env -u DISPLAY -u WAYLAND_DISPLAY " SNELL_BIN "/snell " + command);
-            EXPECT_TRUE(out.status == 0 || (out.status == 1 && !out.output.empty())) << kilobytes << ' ' << command << out.output;
+            EXPECT_TRUE(out.status == 0 || (out.status == 1 && !out.output.empty()))
+                << kilobytes << ' ' << command << out.output;
         }
     }
 }
