@@ -227,7 +227,7 @@ void give(Unit& u, const Global& g) {
     if (g.type.dims > 0 && g.name.starts_with("snell_")) return;  // ours, which are given where they are made
     const std::string value = zero_of(u.structs, g.type);
     if (!value.empty() && !always_written(u, g))
-        at_main_start(u, std::string(u.now(g.name_token)) + " = " + value + ";");
+        at_main_start(u, std::string(u.now(g.name_token)) + " = " + value + ";", g.name_token);
 }
 
 void give(const Program& program, Unit& u, const Block& b) {
