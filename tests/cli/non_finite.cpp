@@ -79,6 +79,23 @@ TEST_F(NonFiniteInput, NumbersOfTheSceneAreErrors) {
     }
 }
 
+// The whole picture is 0 / 0 where uA is 0: nothing is seen, and check says why, at the program.
+TEST_F(NonFiniteInput, CheckTellsWhatComputesNaN) {
+    folder.write("k.frag",
+                 "#version 330 compatibility\nuniform float uA;\nin vec2 vST;\nvoid main() {\n"
+                 "float k = uA * length(vST);\ngl_FragColor = vec4(sin(k) / k);\n}\n");
+    const auto check = [&](const std::string& value) {
+        folder.write("s.glib", "Vertex v.vert\nFragment k.frag\nProgram P uA <0. " + value +
+                                   " 1.>\nOrtho -1 1 -1 1\nQuadXY 0. 1.\n");
+        return snell("check " + at("s.glib"));
+    };
+    const Outcome zero = check("0."), half = check(".5");
+    EXPECT_EQ(zero.status, 0) << "a warning";
+    EXPECT_TRUE(zero.says("s.glib:3:1: warning: program 'P' computes NaN")) << zero.output;
+    EXPECT_TRUE(zero.says("in 16384 of the 16384 pixels")) << zero.output;
+    EXPECT_FALSE(half.says("NaN")) << half.output;
+}
+
 TEST_F(NonFiniteInput, OptionsAreRefused) {
     for (const std::string word : not_finite) {
         const Outcome set = render("--set uA=" + word);
