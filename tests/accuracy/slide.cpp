@@ -226,7 +226,7 @@ TEST(Slide, TimesAreRatiosOfTheirOwnTables) {
     for (const SlideColumn& column : slide.columns) EXPECT_EQ(column.equal_time, false) << column.name;
 
     // What a table does not tell apart is not told on the slide, whatever the intervals of single ratios are.
-    SweepResult unsure = sweep_of("filter", {{"nearest", 5, .1}, {"coarse", 4, .1}, {"dear", 9, .2}});
+    SweepResult unsure = sweep_of("filter", {{"nearest", 5, .1}, {"coarse", 4, .1}, {"expensive", 9, .2}});
     for (std::size_t i = 6; i < 31; ++i)
         for (RungResult& rung : unsure.rungs) rung.cpu[i] = 0;
     for (const SlidePoint& point : slide_with({sweep_of("WAY", {{"own", 10, .1}, {"exact", 20, .01}}), unsure}).points)

@@ -6,6 +6,7 @@
 
 #include "src/app/page/html.h"
 #include "src/content/json.h"
+#include "src/content/table.h"
 #include "src/content/uri.h"
 
 namespace snell::app {
@@ -31,14 +32,14 @@ constexpr std::string_view made_by = "<meta name=\"generator\" content=\"snell\"
 constexpr std::string_view runtime_mark = "// All pages of this gallery share this file. snell made it.\n";
 
 std::string gallery_item(const GalleryRow& row) {
-    const std::string title = html_text(row.title);
+    const std::string title = content::escaped(row.title);
     std::string shown;
     // The heading names the picture.
     if (!row.picture.empty()) shown = fmt::format("<img alt=\"Picture of {}\" src=\"{}\">", title, row.picture);
     const std::string heading = fmt::format("<h2>{}</h2>", title);
     if (row.error.empty())
         return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", content::escaped_address(row.page), shown, heading);
-    return fmt::format("<li>{}{}<p>Not in the browser: {}</p></li>\n", shown, heading, html_text(row.error));
+    return fmt::format("<li>{}{}<p>Not in the browser: {}</p></li>\n", shown, heading, content::escaped(row.error));
 }
 
 }  // namespace

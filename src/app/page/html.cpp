@@ -9,6 +9,7 @@
 #include "parser/text/utf8.h"
 #include "src/app/picture/sha256.h"
 #include "src/content/base64.h"
+#include "src/content/table.h"
 #include "src/content/whole_file.h"
 
 namespace snell::app {
@@ -57,25 +58,6 @@ std::string policy_hash(std::string_view text) {
     return content::base64(bytes);
 }
 
-std::string html_text(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        if (c == '<')
-            safe += "&lt;";
-        else if (c == '>')
-            safe += "&gt;";
-        else if (c == '&')
-            safe += "&amp;";
-        else if (c == '"')
-            safe += "&quot;";
-        else if (c == '\'')
-            safe += "&#39;";
-        else
-            safe += c;
-    }
-    return safe;
-}
-
 std::string script_json(const nlohmann::ordered_json& json) {
     std::string safe;
     for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
@@ -86,7 +68,7 @@ std::string script_json(const nlohmann::ordered_json& json) {
 std::optional<std::string> filled_page(std::string_view page, const PageData& data) {
     std::string text(page);
     bool good = true;
-    put(text, "<title>snell</title>", fmt::format("<title>{}</title>", html_text(data.title)), good);
+    put(text, "<title>snell</title>", fmt::format("<title>{}</title>", content::escaped(data.title)), good);
     put(text, element(scene_begin, "null"), element(scene_begin, data.scene), good);
     put(text, element(archive_begin, ""), element(archive_begin, data.archive), good);
     if (const std::size_t at = text.find(runtime_begin); !data.runtime && at != text.npos)

@@ -12,8 +12,6 @@ namespace snell::app {
 // build/web of the tree that the program was built in. Returns an empty string and sets `error` if it is not there.
 std::string web_file(const std::string& name, std::string& error);
 
-// For text and for attributes in quotes.
-std::string html_text(std::string_view text);
 // JSON that may stand in a script element.
 std::string script_json(const nlohmann::ordered_json& json);
 

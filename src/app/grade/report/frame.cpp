@@ -4,6 +4,7 @@
 
 #include "parser/text/utf8.h"
 #include "src/app/page/html.h"
+#include "src/content/table.h"
 
 namespace snell::app {
 
@@ -39,7 +40,7 @@ std::string shown_text(std::string_view text) {
         std::string line;
         for (const char c : text.substr(at, end - at)) line += c == '\t' ? std::string(4, ' ') : std::string(1, c);
         if (line.ends_with('\r')) line.pop_back();
-        shown += html_text(utf8::printable(line));
+        shown += content::escaped(utf8::printable(line));
         if (end < text.size()) shown += '\n';
         at = end + 1;
     }

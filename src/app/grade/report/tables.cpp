@@ -7,6 +7,7 @@
 #include "src/app/grade/report/report.h"
 #include "src/app/page/html.h"
 #include "src/content/json.h"
+#include "src/content/table.h"
 
 namespace snell::app {
 
@@ -22,7 +23,7 @@ std::string field(const std::string& text) {
     return quoted + "\"";
 }
 
-std::string xml(std::string_view text) { return html_text(utf8::printable(text)); }
+std::string xml(std::string_view text) { return content::escaped(utf8::printable(text)); }
 
 }  // namespace
 
