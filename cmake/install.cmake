@@ -1,5 +1,5 @@
 # What `cmake --install` puts where. The program finds its module and its pages relative to itself (src/content/image/module.cpp,
-# src/app/page/html.cpp), so the prefix may be moved.
+# src/app/page/page.cpp), so the prefix may be moved.
 include(GNUInstallDirs)
 set(data ${CMAKE_INSTALL_DATADIR}/snell)
 set(page ${CMAKE_INSTALL_DATADIR}/doc/snell)

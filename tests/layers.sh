@@ -17,7 +17,7 @@ complain "OpenGL is called in src/gl and src/runtime only, and where a platform 
      xargs grep -nE '\bgl[A-Z][A-Za-z0-9]*\(|#include <(epoxy/gl.h|snell_opengl.h|GLES)')"
 complain "libepoxy is one platform's: src/gl/api.h and driver.h stand for it" \
   "$(code | grep -vE '^src/platform/' | xargs grep -nE '\bepoxy_|#include <epoxy')"
-complain "calls that OpenGL ES 3.0 lacks go through src/gl/beyond.h" \
+complain "calls that OpenGL ES 3.0 lacks go through src/gl/driver.h" \
   "$(code | grep -vE '^src/platform/' | xargs grep -nE '\bgl(PolygonMode|PointSize|PatchParameteri|Tex(Image|Storage)(1D|[23]DMultisample)|TexBuffer|Uniform[1-4]dv?|GetProgramResource[a-z]*|QueryCounter|GetQueryObject(i|u?i64)v|DebugMessage[A-Z][a-z]*|GetGraphicsResetStatus|MapBuffer|GetTexImage|DrawBuffer|ClearDepth)\(')"
 complain "EGL and GLFW belong to src/platform" \
   "$(code | grep -vE '^src/platform/' | xargs grep -nE '#include <(epoxy/egl|EGL/|GLFW/)' | grep -vE '^src/ui/')"
@@ -33,11 +33,11 @@ complain "files are written by src/content/replace.cpp only, and by OpenImageIO 
   "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(content/(replace.cpp|oiio/oiio.cpp)|app/grade/report_folder.cpp)$' |
      xargs grep -nE '\b(ofstream|fopen|freopen|mkstemp|creat)\b|\bO_(WRONLY|RDWR|CREAT)\b')"
 complain "no shell is called" "$(find parser src -name '*.h' -o -name '*.cpp' | xargs grep -nE '\b(system|popen|execl|execlp|execle|wordexp)\(|/bin/sh')"
-complain "the parser is the C++ standard library only, but for how doubles are read and written (parser/text/real.cpp)" \
-  "$(find parser -name '*.h' -o -name '*.cpp' | grep -vxF parser/text/real.cpp |
+complain "the parser is the C++ standard library only, but for how doubles are read and written (parser/text/number.cpp)" \
+  "$(find parser -name '*.h' -o -name '*.cpp' | grep -vxF parser/text/number.cpp |
      xargs grep -nE '#include <(fmt|fast_float|glm|nlohmann|filesystem|fstream|iostream)|#include "src/|\b(printf|fprintf|puts|fopen|exit|abort)\(')"
-complain "doubles are read and written by parser/text/real.h, in every locale" \
-  "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^(parser/text/real\.|src/app/(batch|commands|window)/)' |
+complain "doubles are read and written by parser/text/number.h, in every locale" \
+  "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^(parser/text/number\.|src/app/(batch|commands|window)/)' |
      xargs grep -nE '\bstd::(to_chars|strto(d|f|ld)|sto(d|f|ld)|atof|sscanf)\(|#include <fast_float')"
 
 complain "libc++ lacks std::ranges and std::bit_cast where the browser's program is built: parser/text/ranges.h, src/content/bits.h" \
@@ -48,7 +48,7 @@ complain "the files of a scene are opened by src/content/regular_file.cpp, which
      grep -vE '^src/content/(regular_file.cpp|replace.cpp|pipes.cpp|load_module.cpp|image/module.cpp|oiio/)' |
      xargs grep -nE '\bO_(PATH|RDONLY)\b|/proc/self|#include <(fcntl|unistd|sys/mman)')"
 complain "libraries that a browser lacks have units of their own, which src/platform/web replaces or does without" \
-  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|platform/headless\.|content/(load_module|image/(png_(read|write)|whole|module)|mesh/shp)\.)' |
+  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|platform/headless\.|content/(load_module|image/(png_write|module)|mesh/shp)\.)' |
      xargs grep -nE '#include <(png|zlib|shapefil|dlfcn)')"
 complain "no #ifdef in what every platform builds" \
   "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |

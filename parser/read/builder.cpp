@@ -33,7 +33,7 @@ std::string file_name(std::string_view written) {
     return name;
 }
 
-Builder::Builder(Scene& scene, Report& report, const Limits& limits, std::size_t text_bytes)
+Builder::Builder(Scene& scene, Collector& report, const Limits& limits, std::size_t text_bytes)
     : scene_(scene), report_(report), limits_(limits), text_bytes_(text_bytes) {
     scene_.passes.emplace_back();
 }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "parser/read/parse.h"
-#include "parser/text/report.h"
+#include "parser/text/diagnostic.h"
 
 namespace snell {
 
@@ -39,9 +39,9 @@ struct OpenMatrix {
 
 class Builder {
 public:
-    Builder(Scene& scene, Report& report, const Limits& limits, std::size_t text_bytes);
+    Builder(Scene& scene, Collector& report, const Limits& limits, std::size_t text_bytes);
 
-    Report& report() { return report_; }
+    Collector& report() { return report_; }
     const Limits& limits() const { return limits_; }
     Scene& scene() { return scene_; }
     Pass& pass() { return scene_.passes.back(); }
@@ -115,7 +115,7 @@ private:
     void refuse(std::string_view code, std::uint64_t Limits::*limit, Span span);
 
     Scene& scene_;
-    Report& report_;
+    Collector& report_;
     Limits limits_;
     std::size_t text_bytes_, read_bytes_ = 0;
 

@@ -1,8 +1,7 @@
 // The stages of the reading as text.
-#include "parser/names.h"
 #include "parser/read/match.h"
 #include "parser/read/parse.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 
 namespace snell {
@@ -99,7 +98,7 @@ std::string dump_tokens(FileId file, const Sources& sources) {
 
 std::string dump_statements(FileId file, const Sources& sources) {
     std::string out;
-    Report report(0);
+    Collector report(0);
     StatementReader reader(sources.text(file), file, report);
     Statement statement;
     while (reader.next(statement)) {

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "parser/commands/handlers.h"
-#include "parser/names.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
 #include "parser/text/diagnostic.h"
+#include "parser/text_of.h"
 
 namespace snell::handle {
 namespace {

@@ -1,9 +1,10 @@
 // Ladders: methods to choose from when programs are compiled.
-
 #include "parser/commands/handlers.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
+#include "parser/read/uniforms.h"
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 
 namespace snell {
 namespace {
@@ -38,7 +39,7 @@ bool reserved(std::string_view name) {
 
 std::string shown(std::string_view text) { return "'" + std::string(text.substr(0, 60)) + "'"; }
 
-bool usable_name(std::string_view name, Span span, Report& report) {
+bool usable_name(std::string_view name, Span span, Collector& report) {
     if (!identifier(name)) {
         report.error("ladder-name", span, shown(name) + " cannot be a macro in a shader",
                      "a ladder's name has letters, digits and underscores, and no digit at its beginning");
@@ -52,7 +53,7 @@ bool usable_name(std::string_view name, Span span, Report& report) {
 // Reads the rungs of one statement.
 class Rungs {
 public:
-    Rungs(Ladder& ladder, const Arguments& arguments, Report& report)
+    Rungs(Ladder& ladder, const Arguments& arguments, Collector& report)
         : ladder_(ladder), lexer_(arguments.lexer()), report_(report) {
         bool open = false;
         for (const Token& token : arguments.tokens().subspan(2)) {
@@ -102,7 +103,7 @@ private:
 
     Ladder& ladder_;
     const Lexer& lexer_;
-    Report& report_;
+    Collector& report_;
     std::size_t marked_ = static_cast<std::size_t>(-1);
 };
 
@@ -115,7 +116,7 @@ std::vector<std::string> macros(const Ladder& ladder) {
 }
 
 // `Ladder A B_C` and `Ladder A_B C` would both define A_B_C.
-bool macros_differ(const Ladder& ladder, const std::vector<Ladder>& others, Report& report) {
+bool macros_differ(const Ladder& ladder, const std::vector<Ladder>& others, Collector& report) {
     const std::vector<std::string> mine = macros(ladder);
     for (const Ladder& other : others) {
         if (other.name == ladder.name) continue;
@@ -162,3 +163,75 @@ void handle::ladder(Builder& b, const Arguments& a) {
 }
 
 }  // namespace snell
+
+namespace snell::handle {
+
+// Shaders and programs, and what has nothing to do with drawing.
+namespace {
+
+void stage(Builder& b, const Arguments& a, Stage stage) {
+    auto& current = b.stages[static_cast<std::size_t>(stage)];
+    current.reset();
+    if (a.given(0)) current = FileName{file_name(a.text(0)), a.span(0), b.from};
+}
+
+std::string to_utf8(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        const utf8::Char c = utf8::decode(text, i);
+        utf8::append(out, c.code);
+        i += c.length;
+    }
+    return out;
+}
+
+}  // namespace
+
+void vertex(Builder& b, const Arguments& a) { stage(b, a, Stage::vertex); }
+void tess_control(Builder& b, const Arguments& a) { stage(b, a, Stage::tess_control); }
+void tess_evaluation(Builder& b, const Arguments& a) { stage(b, a, Stage::tess_evaluation); }
+void geometry(Builder& b, const Arguments& a) { stage(b, a, Stage::geometry); }
+void fragment(Builder& b, const Arguments& a) { stage(b, a, Stage::fragment); }
+
+void geometry_input(Builder& b, const Arguments& a) { b.geometry_input = a.text(0); }
+void geometry_output(Builder& b, const Arguments& a) { b.geometry_output = a.text(0); }
+
+void program(Builder& b, const Arguments& a) {
+    if (a.tokens().size() == 1) return b.no_program();
+    UniformList list = read_uniforms(a.tokens().subspan(1), a.lexer(), b.report(), b.limits(), true);
+    Program program;
+    program.name = std::move(list.program);
+    program.uniforms = std::move(list.uniforms);
+    program.span = a.span();
+    b.begin_program(std::move(program));
+}
+
+void gstap(Builder& b, const Arguments&) { b.scene().gstap = true; }
+
+void timer(Builder& b, const Arguments& a) {
+    if (a.number(0) > 0) {
+        b.scene().timer_period = a.number(0);
+        return;
+    }
+    b.report().error("period-out-of-range", a.span(0), "a period is longer than 0 seconds: it is left as it was");
+}
+
+void message_box(Builder& b, const Arguments& a) {
+    std::string_view text = a.text(0);
+    const bool quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+    if (quoted) text = text.substr(1, text.size() - 2);
+    if (const std::uint64_t most = b.limits().message_bytes; text.size() > most) {
+        b.report().error("message-too-long", a.span(), "only the first " + std::to_string(most) + " bytes are shown",
+                         limit_help(b.limits(), &Limits::message_bytes));
+        text = text.substr(0, most);
+    }
+    b.scene().messages.push_back({to_utf8(text), a.span()});
+}
+
+void verbose(Builder& b, const Arguments&) { b.scene().verbose = true; }
+
+void include(Builder& b, const Arguments& a) {
+    if (b.include) b.include(a.text(0), a.span(), a.span(0));
+}
+
+}  // namespace snell::handle

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include "parser/names.h"
 #include "parser/text/number.h"
 #include "parser/text/words.h"
+#include "parser/text_of.h"
 
 namespace snell {
 namespace {
@@ -28,7 +28,7 @@ std::string usage(const Command& command) {
 // fits; `loose` lets a dry walk pass over brackets, as the real one does with a warning.
 class Matcher {
 public:
-    Matcher(const Command& command, const Statement& statement, const StatementReader& reader, Report& report,
+    Matcher(const Command& command, const Statement& statement, const StatementReader& reader, Collector& report,
             Arguments& out)
         : command_(command), tokens_(statement.arguments()), lexer_(reader.lexer()), report_(report), out_(out) {
         out_.lexer_ = &lexer_;
@@ -380,13 +380,13 @@ private:
     const Command& command_;
     std::span<const Token> tokens_;
     const Lexer& lexer_;
-    Report& report_;
+    Collector& report_;
     Arguments& out_;
     std::size_t at_ = 0;
     bool dry_ = false, loose_ = false, ok_ = true, warned_ = false;
 };
 
-bool match(const Command& command, const Statement& statement, const StatementReader& reader, Report& report,
+bool match(const Command& command, const Statement& statement, const StatementReader& reader, Collector& report,
            Arguments& arguments) {
     return Matcher(command, statement, reader, report, arguments).run();
 }

@@ -62,7 +62,7 @@ private:
 };
 
 // Returns false and reports an error if the statement does not fit the signature.
-bool match(const Command& command, const Statement& statement, const StatementReader& reader, Report& report,
+bool match(const Command& command, const Statement& statement, const StatementReader& reader, Collector& report,
            Arguments& arguments);
 
 }  // namespace snell

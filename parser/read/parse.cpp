@@ -335,7 +335,7 @@ private:
     Sources& sources_;
     const IncludeReader& reader_;
     const Limits& limits_;
-    Report report_;
+    Collector report_;
     Builder builder_;
     std::vector<OpenText> open_;
     std::uint64_t statements_ = 0, included_ = 0;

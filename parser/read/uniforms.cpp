@@ -4,7 +4,6 @@
 
 #include "parser/read/syntax.h"
 #include "parser/text/number.h"
-#include "parser/text/utf8.h"
 #include "parser/text/words.h"
 
 namespace snell {
@@ -17,7 +16,7 @@ char closer(char open) { return open == '<' ? '>' : open == '[' ? ']' : open == 
 
 class UniformReader {
 public:
-    UniformReader(std::span<const Token> tokens, const Lexer& lexer, Report& report)
+    UniformReader(std::span<const Token> tokens, const Lexer& lexer, Collector& report)
         : tokens_(tokens), lexer_(lexer), report_(report) {}
 
     UniformList run(bool named) {
@@ -386,14 +385,14 @@ private:
 
     std::span<const Token> tokens_;
     const Lexer& lexer_;
-    Report& report_;
+    Collector& report_;
     UniformList list_;
     std::size_t at_ = 0;
 };
 
 }  // namespace
 
-UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, const Limits& limits,
+UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Collector& report, const Limits& limits,
                           bool named) {
     UniformList list = UniformReader(tokens, lexer, report).run(named);
     if (list.uniforms.size() > limits.uniforms) {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "parser/read/lexer.h"
+#include "parser/read/syntax.h"
 #include "parser/scene.h"
+#include "parser/text/diagnostic.h"
 #include "parser/text/limits.h"
-#include "parser/text/report.h"
 
 namespace snell {
 
@@ -19,7 +19,7 @@ struct UniformList {
 
 // Parses `name value name value …`, preceded by the program's name if `named`. Returns everything that can be
 // understood and reports the rest.
-UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Report& report, const Limits& limits,
+UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Collector& report, const Limits& limits,
                           bool named);
 
 // True if the tokens look like a uniform and its value rather than a command, such as `uSc <0. .5 1.>`, or like

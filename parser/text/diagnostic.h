@@ -2,6 +2,7 @@
 // prints.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,9 @@
 #include "parser/text/source.h"
 
 namespace snell {
+
+// Diagnostics: errors and warnings about the input, with their place and help. Libraries return them; only src/app
+// prints.
 
 enum class Severity : std::uint8_t { note, warning, error };
 // Returns "note", "warning" or "error".
@@ -92,5 +96,65 @@ std::string_view nearest(std::string_view word, const std::vector<std::string_vi
 // Insertions, deletions, substitutions and swaps of neighbours from one word to another, without regard to case. Of
 // words that are too long to be compared: more than any word is near.
 int edit_distance(std::string_view a, std::string_view b);
+
+// A diagnostic whose places were looked up: the parts that a reader sees, without the sources.
+
+// A line of source with a mark under it. Control characters are escaped, and long lines are cut around the mark.
+struct MarkedLine {
+    std::string text;
+    int begin = 0, end = 0;  // columns of the mark, from 0; an empty mark still has one caret
+};
+
+// All texts are printable.
+struct Finding {
+    Severity severity = Severity::error;
+    std::string file;  // name of the source
+    std::optional<Position> at;
+    std::string message;               // one line, with the code
+    std::optional<MarkedLine> source;  // the line of the place, if there is one
+    std::string also;                  // further lines with the same defect; may be empty
+    std::string help;                  // may be empty
+    std::vector<Finding> notes;
+};
+
+Finding describe(const Diagnostic& diagnostic, const Sources& sources);
+// Returns "file:line:column", or "" without a place.
+std::string place_text(const Finding& finding);
+// Returns the first line: place, severity and message.
+std::string headline(const Finding& finding);
+// Returns what precedes the source: the number of the line and a bar.
+std::string margin(int line);
+// Returns the carets that belong below the text of the line.
+std::string carets(const MarkedLine& line);
+// Formats as render(Diagnostic) does.
+std::string render(const Finding& finding);
+
+// Collects the diagnostics of the parser's stages.
+
+// Diagnostics with a limit, so that a text full of mistakes does not exhaust the memory.
+class Collector {
+public:
+    explicit Collector(std::size_t limit) : limit_(limit) {}
+
+    // Returns a reference through which notes can be added. Past the limit it refers to a dummy.
+    Diagnostic& error(std::string_view code, Span span, std::string message, std::string help = {}) {
+        return add(Severity::error, code, span, std::move(message), std::move(help));
+    }
+    Diagnostic& warning(std::string_view code, Span span, std::string message, std::string help = {}) {
+        return add(Severity::warning, code, span, std::move(message), std::move(help));
+    }
+    bool full() const { return diagnostics_.items().size() >= limit_; }
+    // Moves the diagnostics out, with an error about those that were left out.
+    Diagnostics take();
+
+private:
+    Diagnostic& add(Severity severity, std::string_view code, Span span, std::string message, std::string help);
+
+    std::size_t limit_;
+    std::size_t left_out_ = 0;
+    Span first_left_out_;
+    Diagnostics diagnostics_;
+    Diagnostic nowhere_;
+};
 
 }  // namespace snell

@@ -1,12 +1,16 @@
-// Parses the numbers of scenes. Independent of the locale.
+// Reads the numbers of scenes, and reads and writes doubles: the same on every platform and in every locale.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
-#include "parser/text/report.h"
+#include "parser/text/diagnostic.h"
 
 namespace snell {
+
+// Parses the numbers of scenes. Independent of the locale.
 
 enum class NumberFault : std::uint8_t {
     none,
@@ -42,7 +46,19 @@ bool written_integral(std::string_view text);
 
 // Reports the fault of a number: a warning if its value is usable, otherwise an error that says what is used `instead`
 // of a word that is not a number.
-void report_number(Report& report, const Number& number, std::string_view text, Span span,
+void report_number(Collector& report, const Number& number, std::string_view text, Span span,
                    std::string_view instead = {});
+
+// Reads and writes doubles: the same on every platform, whatever its standard library offers (from_chars and to_chars
+// of doubles are missing in libc++ before version 20), and whatever the locale is.
+
+// As std::from_chars: without blanks, '+' and "0x"; `value` stays as it is after an error.
+std::from_chars_result read_real(const char* first, const char* last, double& value);
+
+// Return the shortest text that reads back to the same bits: with an exponent where that is shorter, such as "1e+05".
+std::string real_text(double value);
+std::string real_text(float value);
+// Returns it without an exponent.
+std::string fixed_text(double value);
 
 }  // namespace snell

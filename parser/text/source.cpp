@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 
 namespace snell {
 namespace {

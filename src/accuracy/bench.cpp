@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/clock.h"
-#include "src/accuracy/sample_mean.h"
+#include "src/accuracy/reference.h"
+#include "src/accuracy/rounds.h"
 #include "src/gl/present.h"
 #include "src/glsl/read/lexer.h"
-#include "src/plan/used_files.h"
+#include "src/plan/texts.h"
 #include "src/plan/values/controls.h"
 
 namespace snell::accuracy {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "src/accuracy/metrics.h"
-#include "src/gl/exact_target.h"
+#include "src/gl/target.h"
 #include "src/plan/knobs.h"
 #include "src/runtime/runtime.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "parser/text/ranges.h"
 
@@ -56,6 +57,120 @@ Costs::Costs(std::span<const std::vector<double>> times, double noise)
 
 std::size_t rounds_for(std::size_t rungs) {
     return static_cast<std::size_t>(std::ceil(1 + std::log2(pairs_of(rungs) / family_level)));
+}
+
+namespace {
+
+double median_in_place(std::vector<double>& values) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 != 0) return *middle;
+    return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+}  // namespace
+
+double median(std::span<const double> values) {
+    std::vector<double> copy(values.begin(), values.end());
+    return median_in_place(copy);
+}
+
+double mad(std::span<const double> values) {
+    const double middle = median(values);
+    std::vector<double> deviations;
+    for (double value : values) deviations.push_back(std::abs(value - middle));
+    return median_in_place(deviations);
+}
+
+double variation(std::span<const double> values) {
+    if (values.size() < 2) return 0;
+    const double n = static_cast<double>(values.size());
+    double mean = 0, squares = 0;
+    for (double value : values) mean += value / n;
+    for (double value : values) squares += (value - mean) * (value - mean);
+    return mean > 0 ? std::sqrt(squares / (n - 1)) / mean : 0;
+}
+
+Interval median_interval(std::span<const double> values, double level) {
+    const double middle = median(values);
+    if (values.empty()) return {middle, middle, middle};
+    std::vector<double> sorted(values.begin(), values.end());
+    ranges::sort(sorted);
+    // The true median lies below the value at `ends` if at most so many of n tosses of a coin are heads.
+    const auto n = static_cast<double>(values.size());
+    double chance = 0;
+    std::size_t ends = 0;
+    for (double k = 0; k < n / 2; ++k, ++ends) {
+        chance += std::exp(std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1) - n * std::log(2.0));
+        if (2 * chance > level * (1 + 1e-9)) break;
+    }
+    if (ends == 0) return {0, middle, std::numeric_limits<double>::infinity()};
+    return {sorted[ends - 1], middle, sorted[sorted.size() - ends]};
+}
+
+std::vector<double> quotients(std::span<const double> a, std::span<const double> b) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        if (a[i] > 0 && b[i] > 0) ratios.push_back(a[i] / b[i]);
+    return ratios;
+}
+
+Interval paired_ratio(std::span<const double> a, std::span<const double> b, double level) {
+    return median_interval(quotients(a, b), level);
+}
+
+namespace {
+
+constexpr double same_error = 1e-3, better_error = 1e-2;
+
+bool measured(const Point& point) {
+    return point.error >= 0 && ranges::any_of(point.times, [](double t) { return t > 0; });
+}
+
+bool is_better(const Point& other, const Point& own) { return other.error < own.error * (1 - better_error); }
+bool is_no_worse(const Point& other, const Point& own) { return other.error <= own.error * (1 + same_error); }
+
+}  // namespace
+
+Costs costs_of(std::span<const Point> points, double noise) {
+    std::vector<std::vector<double>> times;
+    for (const Point& point : points) times.push_back(point.times);
+    return {times, noise};
+}
+
+std::vector<Verdict> pareto_front(std::span<const Point> points, const Costs& costs) {
+    std::vector<Verdict> verdicts(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!measured(points[i])) {
+            verdicts[i] = {Standing::unknown, nobody};
+            continue;
+        }
+        // Of several reasons the surest one is shown, and of several rungs the cheapest.
+        const auto blame = [&](Standing standing, std::size_t j) {
+            Verdict& verdict = verdicts[i];
+            if (verdict.standing != Standing::front && verdict.standing < standing) return;
+            if (verdict.standing != standing || costs.middle(j, verdict.by) < 1) verdict = {standing, j};
+        };
+        for (std::size_t j = 0; j < points.size(); ++j) {
+            if (j == i || !measured(points[j])) continue;
+            const Cost cost = costs.of(i, j);
+            if (is_no_worse(points[j], points[i]) && cost == Cost::dearer)
+                blame(Standing::dominated, j);
+            else if (is_better(points[j], points[i]) && cost != Cost::cheaper)
+                blame(cost == Cost::equal ? Standing::saves_none : Standing::unsure, j);
+        }
+        if (std::isinf(points[i].error) && verdicts[i].standing == Standing::front)
+            verdicts[i] = {Standing::unknown, nobody};
+    }
+    return verdicts;
+}
+
+std::vector<bool> cliffs(std::size_t rungs, const Costs& costs) {
+    std::vector<bool> result(rungs, false);
+    for (std::size_t i = 1; i + 1 < rungs; ++i)
+        result[i] = costs.of(i, i - 1) == Cost::dearer && costs.of(i, i + 1) == Cost::dearer;
+    return result;
 }
 
 }  // namespace snell::accuracy

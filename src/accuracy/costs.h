@@ -1,15 +1,47 @@
-// What is said of two costs: one rule for every table, plot, advice and merge.
+// Costs from times: medians and their uncertainty, what is said of two of them, and which rungs are worth their time.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "src/accuracy/statistics.h"
-
 namespace snell::accuracy {
+
+// Medians, their uncertainty, and ratios of values measured in the same rounds.
+
+// For an even number of values, the mean of the two in the middle; NaN for none.
+double median(std::span<const double> values);
+// Median absolute deviation from the median, not scaled.
+double mad(std::span<const double> values);
+// Standard deviation divided by the mean; 0 for fewer than two values.
+double variation(std::span<const double> values);
+
+// A median, and the interval in which the true one lies.
+struct Interval {
+    double low = 0, middle = 0, high = 0;
+
+    bool contains(double value) const { return low <= value && value <= high; }
+    double width() const { return high - low; }
+    // False if there were too few values.
+    bool known() const { return std::isfinite(high); }
+};
+
+// The interval misses the median of what the values are drawn from with a probability of at most `level`, half of it at
+// either end, whatever the distribution is (order statistics, as in a sign test). The values are positive and
+// independent. Of too few of them nothing is known: from 0 to infinity. For none, all members are NaN.
+Interval median_interval(std::span<const double> values, double level = .05);
+
+// The quotients a[i] / b[i] of the rounds that both took part in (a value that is not positive is missing). A load of
+// the machine that lasts for a whole round cancels out.
+std::vector<double> quotients(std::span<const double> a, std::span<const double> b);
+// The interval of their median.
+Interval paired_ratio(std::span<const double> a, std::span<const double> b, double level = .05);
+
+// What is said of two costs: one rule for every table, plot, advice and merge.
 
 enum class Cost : std::uint8_t { cheaper, dearer, equal, not_told };
 // Such as "not told apart".
@@ -56,5 +88,40 @@ private:
 inline constexpr std::size_t fewest_rounds = 7;  // the minimum for an interval of the median
 // The fewest rounds in which every comparison of this many rungs can be sure.
 std::size_t rounds_for(std::size_t rungs);
+
+// Decides which rungs are worth their time, given the uncertainty of the times.
+
+inline constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+// A rung: its error compared with the reference (in any unit, 0 is none, infinite the worst), and its time in each
+// round, in milliseconds. A time of 0 marks a round that it did not take part in. All rungs of a front must be from the
+// same rounds.
+struct Point {
+    double error = 0;
+    std::vector<double> times;
+};
+
+enum class Standing {
+    front,       // none of the following
+    dominated,   // `by` is surely cheaper, and not worse
+    saves_none,  // `by` is more exact at equal cost, so this rung saves nothing
+    unsure,      // `by` is more exact, and this rung is not surely cheaper
+    unknown,     // error or time is not a number; or the error is infinite, and no other rung is as cheap
+};
+
+struct Verdict {
+    Standing standing = Standing::front;
+    std::size_t by = nobody;
+    bool operator==(const Verdict&) const = default;
+};
+
+Costs costs_of(std::span<const Point> points, double noise = 0);
+
+// Errors within a thousandth are equal, and an error that is smaller by less than a hundredth is not better. `costs`
+// are those of the points.
+std::vector<Verdict> pareto_front(std::span<const Point> points, const Costs& costs);
+
+// For each rung of a ladder, whether it is surely more expensive than both neighbours. Always false for the first and
+// the last.
+std::vector<bool> cliffs(std::size_t rungs, const Costs& costs);
 
 }  // namespace snell::accuracy

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/accuracy/bench.h"
-#include "src/accuracy/front.h"
+#include "src/accuracy/costs.h"
 #include "src/accuracy/metrics.h"
 #include "src/accuracy/reference.h"
 #include "src/accuracy/sweep.h"

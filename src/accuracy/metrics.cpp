@@ -1,11 +1,12 @@
 #include "src/accuracy/metrics.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include <fmt/format.h>
 
 #include "parser/text/ranges.h"
 #include "src/content/image/image.h"
@@ -170,6 +171,212 @@ double mean_of(std::span<const float> map, const Region& region) {
             n += 1;
         }
     return n > 0 ? sum / n : 0;
+}
+
+// FLIP for low dynamic range: colour differences, filtered by the eye's contrast sensitivity and amplified where edges
+// and points differ. The constants are those of the paper.
+
+namespace {
+
+using Color = std::array<float, 3>;
+
+// An image of one number per pixel.
+struct Plane {
+    int width = 0, height = 0;
+    std::vector<float> values;
+
+    Plane(int w, int h) : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+};
+
+constexpr std::array<double, 3> white{.950428545, 1, 1.088900371};  // the white point of linear sRGB, in XYZ
+
+std::array<double, 3> to_xyz(const Color& c) {
+    const double r = static_cast<double>(c[0]), g = static_cast<double>(c[1]), b = static_cast<double>(c[2]);
+    return {.4124564 * r + .3575761 * g + .1804375 * b, .2126729 * r + .7151522 * g + .0721750 * b,
+            .0193339 * r + .1191920 * g + .9503041 * b};
+}
+
+// Converts to the colour space of the filters: luminance and two colour differences.
+Color to_opponent(const Color& linear) {
+    const std::array<double, 3> xyz = to_xyz(linear);
+    const double x = xyz[0] / white[0], y = xyz[1] / white[1], z = xyz[2] / white[2];
+    return {static_cast<float>(116 * y - 16), static_cast<float>(500 * (x - y)), static_cast<float>(200 * (y - z))};
+}
+
+Color from_opponent(const Color& c) {
+    const double y = (static_cast<double>(c[0]) + 16) / 116, x = static_cast<double>(c[1]) / 500 + y,
+                 z = y - static_cast<double>(c[2]) / 200;
+    const double X = x * white[0], Y = y * white[1], Z = z * white[2];
+    const auto unit = [](double v) { return static_cast<float>(std::clamp(v, 0.0, 1.0)); };
+    return {unit(3.2404542 * X - 1.5371385 * Y - .4985314 * Z), unit(-.9692660 * X + 1.8760108 * Y + .0415560 * Z),
+            unit(.0556434 * X - .2040259 * Y + 1.0572252 * Z)};
+}
+
+// Converts to CIELAB, with less chroma in dark colours (Hunt effect).
+Color to_hunt_lab(const Color& linear) {
+    const std::array<double, 3> xyz = to_xyz(linear);
+    const auto f = [](double t) {
+        constexpr double delta = 6.0 / 29;
+        return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+    };
+    const double x = f(xyz[0] / white[0]), y = f(xyz[1] / white[1]), z = f(xyz[2] / white[2]);
+    const double lightness = 116 * y - 16;
+    return {static_cast<float>(lightness), static_cast<float>(.01 * lightness * 500 * (x - y)),
+            static_cast<float>(.01 * lightness * 200 * (y - z))};
+}
+
+double hyab(const Color& a, const Color& b) {
+    return std::abs(static_cast<double>(a[0] - b[0])) +
+           std::hypot(static_cast<double>(a[1] - b[1]), static_cast<double>(a[2] - b[2]));
+}
+
+// Filters rows with one kernel, then columns with another; edge pixels are repeated. Kernels have 2 radius + 1 weights.
+Plane filtered(const Plane& in, const std::vector<double>& along, const std::vector<double>& down) {
+    const auto pass = [](const Plane& from, const std::vector<double>& kernel, bool vertical) {
+        Plane to(from.width, from.height);
+        const int radius = static_cast<int>(kernel.size()) / 2;
+        const int last = vertical ? from.height - 1 : from.width - 1;
+        for (int y = 0; y < from.height; ++y)
+            for (int x = 0; x < from.width; ++x) {
+                double sum = 0;
+                for (int k = -radius; k <= radius; ++k) {
+                    const int at = std::clamp((vertical ? y : x) + k, 0, last);
+                    const int source = vertical ? at * from.width + x : y * from.width + at;
+                    sum += kernel[static_cast<std::size_t>(k + radius)] *
+                           static_cast<double>(from.values[static_cast<std::size_t>(source)]);
+                }
+                to.values[static_cast<std::size_t>(y * from.width + x)] = static_cast<float>(sum);
+            }
+        return to;
+    };
+    return pass(pass(in, along, false), down, true);
+}
+
+// exp(-pi² d² / b), with d in degrees; the caller normalises the sum over the plane.
+std::vector<double> gaussian(double b, double pixels_per_degree, int radius) {
+    std::vector<double> kernel;
+    for (int k = -radius; k <= radius; ++k) {
+        const double d = k / pixels_per_degree;
+        kernel.push_back(std::exp(-std::numbers::pi * std::numbers::pi * d * d / b));
+    }
+    return kernel;
+}
+
+double sum_of(const std::vector<double>& kernel) {
+    double sum = 0;
+    for (double weight : kernel) sum += weight;
+    return sum;
+}
+
+// Filters a channel by the eye's contrast sensitivity: a sum of two Gaussians with weights a and widths b.
+Plane behind_eye(const Plane& in, std::array<double, 2> a, std::array<double, 2> b, double pixels_per_degree) {
+    const int radius =
+        static_cast<int>(std::ceil(3 * std::sqrt(.04 / (2 * std::numbers::pi * std::numbers::pi)) * pixels_per_degree));
+    Plane out(in.width, in.height);
+    double total = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (a[i] == 0) continue;
+        const std::vector<double> kernel = gaussian(b[i], pixels_per_degree, radius);
+        const double weight = a[i] * std::sqrt(std::numbers::pi / b[i]);
+        total += weight * sum_of(kernel) * sum_of(kernel);
+        const Plane part = filtered(in, kernel, kernel);
+        for (std::size_t p = 0; p < out.values.size(); ++p)
+            out.values[p] += static_cast<float>(weight) * part.values[p];
+    }
+    for (float& value : out.values) value /= static_cast<float>(total);
+    return out;
+}
+
+std::vector<Color> perceived(const std::array<Plane, 3>& opponent, double pixels_per_degree) {
+    const Plane light = behind_eye(opponent[0], {1, 0}, {.0047, 1e-5}, pixels_per_degree);
+    const Plane red_green = behind_eye(opponent[1], {1, 0}, {.0053, 1e-5}, pixels_per_degree);
+    const Plane blue_yellow = behind_eye(opponent[2], {34.1, 13.5}, {.04, .025}, pixels_per_degree);
+    std::vector<Color> colors;
+    for (std::size_t p = 0; p < light.values.size(); ++p)
+        colors.push_back(to_hunt_lab(from_opponent({light.values[p], red_green.values[p], blue_yellow.values[p]})));
+    return colors;
+}
+
+// The first or second derivative of a Gaussian; positive and negative weights each sum to one.
+std::vector<double> feature_kernel(double sigma, int radius, bool edges) {
+    std::vector<double> kernel;
+    double positive = 0, negative = 0;
+    for (int k = -radius; k <= radius; ++k) {
+        const double g = std::exp(-k * k / (2 * sigma * sigma));
+        const double w = edges ? -k * g : (k * k / (sigma * sigma) - 1) * g;
+        kernel.push_back(w);
+        (w > 0 ? positive : negative) += std::abs(w);
+    }
+    for (double& w : kernel) w /= w > 0 ? positive : negative;
+    return kernel;
+}
+
+// The strength of edges (or points) at each pixel.
+Plane features(const Plane& light, double pixels_per_degree, bool edges) {
+    const double sigma = .5 * .082 * pixels_per_degree;
+    const int radius = static_cast<int>(std::ceil(3 * sigma));
+    std::vector<double> smooth;
+    for (int k = -radius; k <= radius; ++k) smooth.push_back(std::exp(-k * k / (2 * sigma * sigma)));
+    const double sum = sum_of(smooth);
+    for (double& w : smooth) w /= sum;
+    const std::vector<double> kernel = feature_kernel(sigma, radius, edges);
+    Plane along = filtered(light, kernel, smooth);
+    const Plane down = filtered(light, smooth, kernel);
+    for (std::size_t p = 0; p < along.values.size(); ++p) along.values[p] = std::hypot(along.values[p], down.values[p]);
+    return along;
+}
+
+std::array<Plane, 3> opponent_planes(const Picture& picture) {
+    std::array<Plane, 3> planes{Plane(picture.width, picture.height), Plane(picture.width, picture.height),
+                                Plane(picture.width, picture.height)};
+    for (std::size_t p = 0; p < picture.pixels(); ++p) {
+        Color linear;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float value = picture.rgba[4 * p + c];
+            const double shown = std::isfinite(value) ? std::clamp(static_cast<double>(value), 0.0, 1.0) : 0.0;
+            linear[c] = static_cast<float>(content::light_of_srgb(shown));
+        }
+        const Color color = to_opponent(linear);
+        for (std::size_t c = 0; c < 3; ++c) planes[c].values[p] = color[c];
+    }
+    return planes;
+}
+
+bool finite(const Picture& picture, std::size_t pixel) {
+    return ranges::all_of(std::span(picture.rgba).subspan(4 * pixel, 3), [](float v) { return std::isfinite(v); });
+}
+
+// Large colour differences, which are all equally bad, are compressed to the last twentieth of the scale.
+double compressed(double difference, double largest) {
+    constexpr double exponent = .7, knee = .4, share = .95;
+    const double powered = std::pow(difference, exponent), limit = std::pow(largest, exponent);
+    if (powered < knee * limit) return share / (knee * limit) * powered;
+    return share + (powered - knee * limit) / (limit - knee * limit) * (1 - share);
+}
+
+}  // namespace
+
+std::vector<float> flip_map(const Picture& picture, const Picture& reference, double pixels_per_degree) {
+    std::array<Plane, 3> a = opponent_planes(picture), b = opponent_planes(reference);
+    const std::vector<Color> seen_a = perceived(a, pixels_per_degree), seen_b = perceived(b, pixels_per_degree);
+    const double largest = hyab(to_hunt_lab({0, 1, 0}), to_hunt_lab({0, 0, 1}));
+    std::array<Plane, 2> light{std::move(a[0]), std::move(b[0])};
+    for (Plane& plane : light)
+        for (float& value : plane.values) value = (value + 16) / 116;
+    const Plane edge_a = features(light[0], pixels_per_degree, true),
+                edge_b = features(light[1], pixels_per_degree, true);
+    const Plane point_a = features(light[0], pixels_per_degree, false),
+                point_b = features(light[1], pixels_per_degree, false);
+    std::vector<float> map(picture.pixels());
+    for (std::size_t p = 0; p < map.size(); ++p) {
+        const double color = std::min(compressed(hyab(seen_a[p], seen_b[p]), largest), 1.0);
+        const float feature =
+            std::max(std::abs(edge_a.values[p] - edge_b.values[p]), std::abs(point_a.values[p] - point_b.values[p]));
+        const double amplify = std::min(std::sqrt(static_cast<double>(feature) / std::numbers::sqrt2), 1.0);
+        map[p] = static_cast<float>(color > 0 ? std::pow(color, 1 - amplify) : 0);
+        if (finite(picture, p) != finite(reference, p)) map[p] = 1;
+    }
+    return map;
 }
 
 }  // namespace snell::accuracy

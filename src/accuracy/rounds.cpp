@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "src/accuracy/front.h"
+#include "src/accuracy/costs.h"
 
 namespace snell::accuracy {
 

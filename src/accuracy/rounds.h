@@ -1,6 +1,8 @@
 // Times in interleaved rounds: in each, every entrant is timed once, in random order, and one of them twice.
 #pragma once
 
+#include <chrono>
+#include <ctime>
 #include <functional>
 #include <optional>
 #include <random>
@@ -67,5 +69,18 @@ private:
     bool decided_ = false;
     std::mt19937_64 random_;
 };
+
+// Clocks in milliseconds, with an arbitrary origin.
+
+// CPU time of this process, summed over all cores.
+inline double cpu_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) / 1e6;
+}
+
+inline double wall_milliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 }  // namespace snell::accuracy

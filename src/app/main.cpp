@@ -13,13 +13,12 @@
 #include <string>
 #include <string_view>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/help/help.h"
 #include "src/app/help/program.h"
 #include "src/app/open/color.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/exit_status.h"
-#include "src/app/open/memory.h"
+#include "src/app/open/ending.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "src/content/files.h"
 #include "src/content/pipes.h"
-#include "src/content/whole_file.h"
 
 namespace snell::content {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 
 namespace snell::content {
 

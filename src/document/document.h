@@ -12,7 +12,7 @@
 #include "parser/text/source.h"
 #include "src/gl/caps.h"
 #include "src/plan/files.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 #include "src/plan/values/controls.h"
 #include "src/runtime/runtime.h"
 
@@ -56,5 +56,14 @@ bool no_new_errors(const Diagnostics& before, const Diagnostics& now);
 
 // Lists what was read and made, line by line, for scenes with Verbose.
 std::string verbose_report(const Document& document);
+
+// Problems with files of textures that nothing samples, so that the picture does not depend on them.
+
+// Turns the errors about such missing files into notes if the scene has no other errors and no ladders: a program that
+// failed, or one of another rung, may sample them.
+void excuse_unsampled(Document& document);
+
+// Reads and decodes these files nevertheless; problems with them become warnings.
+void check_unsampled(Document& document);
 
 }  // namespace snell

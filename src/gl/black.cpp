@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "src/gl/beyond.h"
+#include "src/gl/driver.h"
 
 namespace snell::gl {
 

@@ -1,6 +1,5 @@
 #include "src/gl/marks.h"
 
-#include "src/gl/beyond.h"
 #include "src/gl/driver.h"
 
 namespace snell::gl {

@@ -1,6 +1,10 @@
 // The window's last picture, and its way to the screen.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
+#include "src/gl/handle.h"
 #include "src/gl/target.h"
 #include "src/gl/texture.h"
 
@@ -43,5 +47,21 @@ void clear_window(int width, int height, float red, float green, float blue);
 
 // Waits until the GPU has executed all commands, so that their time can be measured.
 void finish();
+
+// A picture made on the CPU, such as a measured difference, to show in the window.
+
+class Still {
+public:
+    // Uploads RGBA bytes, top row first.
+    void set(int width, int height, std::span<const std::byte> rgba);
+    // Copies the columns from `first` on into the default framebuffer. (x, y) is the pixel of the bottom left corner of
+    // the whole picture. Does nothing before set() was called.
+    void show(int x, int y, int first) const;
+
+private:
+    int width_ = 0, height_ = 0;
+    Texture texture_;
+    Framebuffer framebuffer_;
+};
 
 }  // namespace snell::gl

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <utility>
 
-#include "src/gl/beyond.h"
 #include "src/gl/driver.h"
 
 namespace snell::gl {

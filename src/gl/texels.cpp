@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 
-#include "src/gl/beyond.h"
 #include "src/gl/driver.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"

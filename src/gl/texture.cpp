@@ -1,6 +1,5 @@
 #include "src/gl/texture.h"
 
-#include "src/gl/beyond.h"
 #include "src/gl/driver.h"
 #include "src/gl/target.h"
 

@@ -5,7 +5,7 @@
 
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 
 namespace snell::language {
 namespace {
@@ -66,7 +66,7 @@ struct LayoutText {
     std::vector<LayoutPiece> pieces;
 
     explicit LayoutText(std::string_view of) : text(of), rows(rows_of(of)) {
-        Report report(0);
+        Collector report(0);
         StatementReader reader(text, 0, report);
         Statement statement;
         std::size_t next = 0;  // row

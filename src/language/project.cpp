@@ -11,7 +11,7 @@
 #include "parser/text/ranges.h"
 #include "src/language/translations.h"
 #include "src/lint/lint.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 
 namespace snell::language {
 

@@ -1,7 +1,7 @@
 // Expressions: what is known of a result, given what is known of the operands.
 #include <algorithm>
 
-#include "parser/text/real.h"
+#include "parser/text/number.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "parser/text/real.h"
+#include "parser/text/number.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 

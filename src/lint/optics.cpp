@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "parser/text/tidy.h"
+#include "parser/text/words.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 

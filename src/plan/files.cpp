@@ -10,10 +10,10 @@
 #include <system_error>
 
 #include "parser/text/diagnostic.h"
-#include "parser/text/tidy.h"
+#include "parser/text/words.h"
+#include "src/content/files.h"
 #include "src/content/regular_file.h"
-#include "src/content/walk.h"
-#include "src/plan/similar.h"
+#include "src/plan/locate.h"
 
 namespace snell {
 namespace {

@@ -56,12 +56,12 @@ glm::dvec3 vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+double largest_of(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // Normalises `v`; returns zero if it has no direction. It is scaled first, so that its squares neither overflow nor
 // vanish.
 glm::dvec3 direction(glm::dvec3 v) {
-    const double size = largest(v);
+    const double size = largest_of(v);
     if (!usable(size)) return glm::dvec3(0);
     v /= size;
     return v / std::sqrt(glm::dot(v, v));
@@ -74,7 +74,7 @@ glm::dvec3 upright(const glm::dvec3& forward, const glm::dvec3& up) {
     constexpr double parallel = 1e-12;
     glm::dvec3 u = direction(up);
     u -= forward * glm::dot(forward, u);
-    if (!(largest(u) > parallel)) return glm::dvec3(0);
+    if (!(largest_of(u) > parallel)) return glm::dvec3(0);
     u = direction(u);
     return direction(u - forward * glm::dot(forward, u));
 }
@@ -111,7 +111,7 @@ glm::dmat4 view_matrix(const Camera& camera) {
 namespace {
 
 double length(const glm::dvec3& v) {
-    const double size = largest(v);
+    const double size = largest_of(v);
     return size > 0 ? size * std::sqrt(glm::dot(v / size, v / size)) : 0;
 }
 
@@ -132,12 +132,12 @@ glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
     // A shader squares the components when it normalises, and the squares must fit into a float.
     constexpr double longest = 1e18, shortest = 1e-18;
     glm::dmat3 a(model_view);
-    const double size = std::max({largest(a[0]), largest(a[1]), largest(a[2])});
+    const double size = std::max({largest_of(a[0]), largest_of(a[1]), largest_of(a[2])});
     if (!usable(size)) return glm::dmat3(1);
     a /= size;
     const glm::dmat3 cofactors(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1]));
     const double determinant = glm::dot(a[0], cofactors[0]);
-    const double top = std::max({largest(cofactors[0]), largest(cofactors[1]), largest(cofactors[2])});
+    const double top = std::max({largest_of(cofactors[0]), largest_of(cofactors[1]), largest_of(cofactors[2])});
     if (!(independence(a, determinant) > noise)) {
         // A matrix of rank 2 gives every normal the direction of the plane's. Of a lower rank, no lit surface is left.
         return top > noise ? cofactors / top : glm::dmat3(1);
@@ -153,6 +153,53 @@ glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
     }
     if (low > shortest && high < longest) return inverse_transpose;
     return inverse_transpose / (std::sqrt(low) * std::sqrt(high));
+}
+
+std::array<glm::dvec3, 8> DepthBox::corners() const {
+    std::array<glm::dvec3, 8> result;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const auto at = [&](unsigned i) { return static_cast<double>((corner >> i & 1) != 0 ? max[i] : min[i]); };
+        result[corner] = glm::dvec3(eye_from_model * glm::dvec4(at(0), at(1), at(2), 1));
+    }
+    return result;
+}
+
+std::optional<DepthRange> fit_depth(std::span<const DepthBox> boxes) {
+    const DepthRange usual;
+    double nearest = HUGE_VAL, farthest = 0;
+    for (const DepthBox& box : boxes)
+        for (const glm::dvec3& corner : box.corners()) {
+            if (!std::isfinite(corner.z)) return std::nullopt;
+            nearest = std::min(nearest, -corner.z);
+            farthest = std::max(farthest, -corner.z);
+        }
+    // The range is widened by 1 % on both sides to absorb rounding.
+    const DepthRange fitted{std::max(usual.near, nearest * .99), std::min(usual.far, farthest * 1.01)};
+    if (!(fitted.far > fitted.near)) return std::nullopt;
+    return fitted;
+}
+
+bool out_of_view(const DepthBox& box, const glm::dmat4& clip_from_eye, const glm::dvec2& margin) {
+    // Of the sum of absolute values: about 80 times the rounding error of a float.
+    constexpr double rounding = 1e-5;
+    const glm::dvec3 low(box.min[0], box.min[1], box.min[2]), high(box.max[0], box.max[1], box.max[2]);
+    const glm::dvec3 middle = (low + high) / 2., half = (high - low) / 2.;
+    const glm::dmat4& eye = box.eye_from_model;
+    const glm::dvec4 at = eye * glm::dvec4(middle, 1);
+    glm::dvec4 size = glm::abs(eye[3]);
+    for (int axis = 0; axis < 3; ++axis) size += glm::abs(eye[axis]) * (std::abs(middle[axis]) + half[axis]);
+    const glm::dmat4 rows = glm::transpose(clip_from_eye);
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec4 w = rows[3] * (axis < 2 ? 1 + margin[axis] : 1.);
+        const double error = rounding * glm::dot(glm::abs(w) + glm::abs(rows[axis]), size);
+        for (const double side : {-1., 1.}) {
+            const glm::dvec4 inwards = w + side * rows[axis];
+            double most = glm::dot(inwards, at);
+            for (int k = 0; k < 3; ++k) most += std::abs(glm::dot(inwards, eye[k])) * half[k];
+            if (most < -error) return true;  // all corners are beyond one plane, and so is everything between them
+        }
+    }
+    return false;
 }
 
 }  // namespace snell

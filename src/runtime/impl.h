@@ -13,7 +13,6 @@
 #include "src/runtime/resources/program.h"
 #include "src/runtime/resources/state.h"
 #include "src/runtime/resources/textures.h"
-#include "src/runtime/resources/tree.h"
 #include "src/runtime/resources/uniforms.h"
 #include "src/runtime/runtime.h"
 

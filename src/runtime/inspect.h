@@ -1,10 +1,12 @@
-// What pixels of a picture are before they are made bytes, and what drew them.
+// What pixels of a picture are before they are made bytes, what drew them, and colours that bytes can't show.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "parser/scene.h"
@@ -12,6 +14,8 @@
 #include "src/runtime/runtime.h"
 
 namespace snell {
+
+// What pixels of a picture are before they are made bytes, and what drew them.
 
 // A square of pixels about one of them.
 struct Inspection {
@@ -54,5 +58,30 @@ private:
     gl::Target target_;
     std::vector<float> rows_, written_;
 };
+
+// Colours that a picture of bytes can't show: of one kind or none, by what is worst about them.
+
+enum class Flag : std::uint8_t { none, above_one, negative, infinite, nan };
+inline constexpr std::size_t flag_count = 5;
+
+// "NaN"; of none "".
+std::string_view name(Flag flag);
+// RGB bytes that pixels are painted with, told apart by who sees fewer colours, too.
+std::array<std::uint8_t, 3> color_of(Flag flag);
+
+// Of one channel.
+Flag flag_of(float value);
+// Of RGBA: alpha only where it is no number, since what is beyond 0 to 1 there shows nowhere.
+Flag flag_of(std::span<const float, 4> rgba);
+
+// Pixels by Flag; each counts once.
+struct FlagCounts {
+    std::array<std::size_t, flag_count> pixels{};
+    std::size_t operator[](Flag flag) const { return pixels[static_cast<std::size_t>(flag)]; }
+};
+FlagCounts count_flags(std::span<const float> rgba);
+
+// RGBA bytes of as many pixels: flagged ones in their colours, the others in dim greys.
+void paint_flags(std::span<const float> rgba, std::vector<std::byte>& picture);
 
 }  // namespace snell

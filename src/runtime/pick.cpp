@@ -4,7 +4,7 @@
 #include <string>
 
 #include "parser/text/ranges.h"
-#include "src/gl/beyond.h"
+#include "src/gl/driver.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
 #include "src/runtime/impl.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/plan/lens.h"
+#include "src/plan/view.h"
 #include "src/runtime/impl.h"
 
 namespace snell {

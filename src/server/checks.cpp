@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "parser/text/ranges.h"
-#include "src/content/json.h"
+#include "src/content/text_forms.h"
+#include "src/server/actions.h"
 #include "src/server/published.h"
-#include "src/server/trial.h"
 
 namespace snell::server {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/content/uri.h"
+#include "src/content/text_forms.h"
 
 namespace snell::server {
 

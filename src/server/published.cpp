@@ -4,7 +4,7 @@
 #include <map>
 
 #include "parser/text/ranges.h"
-#include "src/content/uri.h"
+#include "src/content/text_forms.h"
 #include "src/lint/lint.h"
 
 namespace snell::server {

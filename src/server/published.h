@@ -5,8 +5,8 @@
 
 #include "parser/text/diagnostic.h"
 #include "src/server/documents.h"
-#include "src/server/services.h"
-#include "src/server/wire/json.h"
+#include "src/server/state.h"
+#include "src/server/wire/lines.h"
 
 namespace snell::server {
 

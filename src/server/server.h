@@ -1,7 +1,7 @@
 // The language server: JSON-RPC through two file descriptors, until the editor is done.
 #pragma once
 
-#include "src/server/services.h"
+#include "src/server/state.h"
 
 namespace snell::server {
 

@@ -1,17 +1,15 @@
 #include "src/server/session.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 
+#include <fmt/format.h>
+
 #include "parser/text/ranges.h"
-#include "src/content/json.h"
-#include "src/server/capabilities.h"
+#include "src/content/text_forms.h"
 #include "src/server/features.h"
-#include "src/server/notices.h"
 
 namespace snell::server {
 
@@ -232,6 +230,36 @@ void Session::heed(const std::string& method, const Json& params) {
         over_ = status_at_end();
     else if (life_ == Life::running)
         notice(state_, method, params);
+}
+
+Encoding chosen_encoding(const Json& offered) {
+    if (offered.is_array() && std::find(offered.begin(), offered.end(), "utf-8") != offered.end())
+        return Encoding::utf8;
+    return Encoding::utf16;
+}
+
+Json capabilities(Encoding encoding) {
+    return {{"positionEncoding", encoding == Encoding::utf8 ? "utf-8" : "utf-16"},
+            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", {{"includeText", true}}}}},
+            {"codeActionProvider", {{"codeActionKinds", Json::array({"quickfix"})}}},
+            {"completionProvider", {{"triggerCharacters", {".", "<", "\"", "/", "#", "{"}}}},
+            {"hoverProvider", true},
+            {"signatureHelpProvider", {{"triggerCharacters", {"(", ",", " "}}}},
+            {"definitionProvider", true},
+            {"referencesProvider", true},
+            {"documentHighlightProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"documentSymbolProvider", true},
+            {"colorProvider", true},
+            {"documentFormattingProvider", true},
+            {"documentRangeFormattingProvider", true}};
+}
+
+Json watched_files() {
+    return {{"registrations",
+             {{{"id", "files"},
+               {"method", "workspace/didChangeWatchedFiles"},
+               {"registerOptions", {{"watchers", {{{"globPattern", "**/*"}}}}}}}}}};
 }
 
 }  // namespace snell::server

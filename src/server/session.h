@@ -1,14 +1,15 @@
 // The life of a connection: messages in their order, and their answers.
 #pragma once
 
-#include <sys/types.h>
-
 #include <deque>
 #include <optional>
 #include <string>
 
+#include <sys/types.h>
+
 #include "src/server/state.h"
 #include "src/server/wire/inbox.h"
+#include "src/server/wire/lines.h"
 
 namespace snell::server {
 
@@ -55,5 +56,13 @@ private:
     std::optional<int> over_;
     pid_t editor_ = 0;  // 0: it did not say
 };
+
+// What the server says of itself when a connection begins.
+
+// UTF-8 if the editor offers it, which costs nothing; otherwise UTF-16, which every editor knows.
+Encoding chosen_encoding(const Json& offered);
+Json capabilities(Encoding encoding);
+// For client/registerCapability: files whose changes the editor shall report.
+Json watched_files();
 
 }  // namespace snell::server

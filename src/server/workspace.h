@@ -11,7 +11,7 @@
 
 #include "src/language/project.h"
 #include "src/server/documents.h"
-#include "src/server/wire/json.h"
+#include "src/server/wire/lines.h"
 
 namespace snell::server {
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "src/ui/kit/layout.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/style.h"
 
 namespace snell::ui {

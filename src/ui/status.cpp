@@ -1,10 +1,10 @@
 #include "src/ui/status.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <array>
 #include <span>
+
+#include <imgui.h>
 
 #include "parser/text/ranges.h"
 #include "src/ui/kit/numbers.h"
@@ -182,6 +182,18 @@ void status_line(const Facts& facts, const Rect& status, Memory& memory, Layout&
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
+}
+
+void loading(const std::string& text, double share) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, ImGuiCond_Always, {.5F, .5F});
+    ImGui::SetNextWindowSize({std::min(30 * em, all.x), 0});
+    ImGui::Begin("##loading", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+    fitted(text, ImGui::GetContentRegionAvail().x);
+    ImGui::ProgressBar(static_cast<float>(std::clamp(share, 0., 1.)), {-1, .5F * em}, "");
+    ImGui::End();
 }
 
 }  // namespace snell::ui

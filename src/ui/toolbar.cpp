@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "src/plan/lens.h"
+#include "src/plan/view.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/widgets.h"

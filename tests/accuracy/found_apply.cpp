@@ -1,5 +1,5 @@
 // Found rungs by number, and the texts that they make.
-#include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/change.h"
 
 #include <gtest/gtest.h>
 

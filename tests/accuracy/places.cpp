@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/accuracy/found/climb.h"
+#include "src/accuracy/found/search.h"
 
 namespace snell::accuracy {
 namespace {

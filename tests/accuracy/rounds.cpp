@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/accuracy/front.h"
+#include "src/accuracy/costs.h"
 
 namespace snell::test {
 namespace {

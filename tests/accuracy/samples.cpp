@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/accuracy/sample_mean.h"
+#include "src/accuracy/reference.h"
 #include "src/accuracy/sweep.h"
 
 namespace snell::accuracy {

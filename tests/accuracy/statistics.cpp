@@ -6,8 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "src/accuracy/front.h"
-#include "src/accuracy/statistics.h"
+#include "src/accuracy/costs.h"
 
 namespace snell::accuracy {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"

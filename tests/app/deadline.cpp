@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "src/app/open/deadline.h"
+#include "src/app/open/ending.h"
 
 namespace snell::app {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <signal.h>
 
-#include "src/app/grade/why_ended.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/grade/processes.h"
+#include "src/app/open/complain.h"
 
 namespace snell::app {
 namespace {

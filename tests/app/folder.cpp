@@ -7,7 +7,6 @@
 
 #include "src/app/desktop/folder.h"
 #include "src/app/desktop/settings.h"
-#include "src/app/desktop/thumbnails.h"
 #include "src/app/window/opener.h"
 #include "tests/scratch.h"
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <thread>
 
-#include "src/app/picture/writer.h"
+#include "src/app/picture/outputs.h"
 #include "src/content/image/noise.h"
 #include "src/plan/plan.h"
 #include "src/runtime/resources/jobs.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 
 namespace snell {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/accuracy/statistics.h"
+#include "src/accuracy/costs.h"
 #include "src/gl/target.h"
 #include "tests/bench/timing.h"
 

@@ -8,7 +8,7 @@
 
 #include "src/content/cube/cubemap.h"
 #include "src/content/image/noise.h"
-#include "src/content/parallel.h"
+#include "src/content/workers.h"
 #include "tests/bench/bounds.h"
 
 namespace snell::content {

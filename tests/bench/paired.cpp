@@ -14,7 +14,7 @@
 #include <iterator>
 #include <span>
 
-#include "src/accuracy/statistics.h"
+#include "src/accuracy/costs.h"
 #include "src/document/document.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"

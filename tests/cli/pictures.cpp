@@ -2,7 +2,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "src/app/picture/tiles.h"
+#include "src/app/picture/picture.h"
 #include "tests/cli/command.h"
 
 namespace snell::test {

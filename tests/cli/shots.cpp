@@ -6,7 +6,7 @@
 #include <set>
 
 #include "src/app/batch/shots.h"
-#include "src/app/picture/sha256.h"
+#include "src/app/picture/outputs.h"
 
 namespace snell::app {
 

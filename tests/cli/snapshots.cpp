@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/app/open/snapshots.h"
-#include "src/app/open/write_saved.h"
+#include "src/app/open/write_copy.h"
 #include "src/document/save_values.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"

@@ -7,8 +7,8 @@
 #include <regex>
 #include <thread>
 
-#include "src/content/image/decoded.h"
 #include "src/content/image/formats.h"
+#include "src/content/image/image.h"
 #include "tests/image/help.h"
 
 namespace snell::content {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "src/content/parallel.h"
+#include "src/content/workers.h"
 #include "tests/no_more_threads.h"
 
 namespace snell::content {

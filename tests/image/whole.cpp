@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "src/content/image/decoded.h"
-#include "src/content/image/whole.h"
-#include "src/content/whole_file.h"
+#include "src/content/files.h"
+#include "src/content/image/image.h"
+#include "src/content/image/module.h"
 #include "tests/image/help.h"
 #include "tests/scratch.h"
 

@@ -1,5 +1,5 @@
 // ObjAdj, ObjPatch and WireObj.
-#include "src/content/mesh/weld.h"
+#include "src/content/mesh/mesh.h"
 #include "tests/mesh/obj_check.h"
 
 namespace snell::content {

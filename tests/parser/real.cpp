@@ -1,5 +1,5 @@
 // Doubles as text and back, against what GCC's standard library reads and writes.
-#include "parser/text/real.h"
+#include "parser/text/number.h"
 
 #include <gtest/gtest.h>
 

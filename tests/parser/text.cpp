@@ -8,9 +8,8 @@
 #include <random>
 
 #include "parser/commands/commands.h"
-#include "parser/text/finding.h"
+#include "parser/text/diagnostic.h"
 #include "parser/text/number.h"
-#include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "tests/decimal_comma.h"

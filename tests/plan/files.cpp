@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "parser/text/tidy.h"
+#include "parser/text/words.h"
 #include "src/plan/files.h"
 #include "src/plan/locate.h"
 #include "tests/sanitized.h"

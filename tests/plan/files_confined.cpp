@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "src/plan/files.h"
-#include "src/plan/used_files.h"
+#include "src/plan/texts.h"
 #include "tests/scratch.h"
 
 namespace snell {

@@ -10,7 +10,7 @@
 
 #include "src/plan/plan.h"
 #include "src/plan/values/controls.h"
-#include "src/plan/values/fit.h"
+#include "src/plan/values/declared.h"
 #include "src/plan/view.h"
 #include "tests/hard_case.h"
 #include "tests/plan/finite.h"

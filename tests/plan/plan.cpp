@@ -5,7 +5,7 @@
 
 #include "src/plan/identity.h"
 #include "src/plan/plan.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 #include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
 

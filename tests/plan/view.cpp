@@ -3,9 +3,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "src/plan/lens.h"
 #include "src/plan/objects.h"
 #include "src/plan/plan.h"
+#include "src/plan/view.h"
 
 namespace snell {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "src/document/unsampled.h"
+#include "src/document/document.h"
 #include "tests/harness/plain.h"
 
 namespace snell::test {

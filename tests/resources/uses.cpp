@@ -5,7 +5,7 @@
 #include <set>
 
 #include "src/gl/program.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {

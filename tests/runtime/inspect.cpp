@@ -4,7 +4,6 @@
 #include <cstring>
 #include <limits>
 
-#include "src/runtime/flags.h"
 #include "src/runtime/inspect.h"
 #include "tests/harness/harness.h"
 

@@ -1,5 +1,5 @@
 // What the user's view does to the picture.
-#include "src/plan/lens.h"
+#include "src/plan/view.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {

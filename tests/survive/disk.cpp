@@ -16,7 +16,7 @@
 
 #include "src/app/desktop/settings.h"
 #include "src/app/open/snapshots.h"
-#include "src/app/open/write_saved.h"
+#include "src/app/open/write_copy.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
 #include "src/document/save_values.h"

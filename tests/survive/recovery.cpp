@@ -6,9 +6,9 @@
 
 #include "src/app/open/snapshots.h"
 #include "src/app/window/session.h"
-#include "src/app/window/survive/recovery.h"
+#include "src/app/window/survive/keeper.h"
 #include "src/app/window/survive/restart.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {

@@ -12,7 +12,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "tests/scratch.h"
 #include "tests/torture/tree.h"
 

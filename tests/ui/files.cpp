@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/ui/kit/excerpt.h"
+#include "src/ui/kit/text.h"
 #include "src/ui/labels.h"
 #include "src/ui/panels/panels.h"
 #include "tests/ui/screen.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "src/plan/hand/gesture.h"
+#include "src/plan/gesture.h"
 
 namespace snell::ui {
 namespace {

@@ -1,6 +1,6 @@
 // Every panel, as large and as full as scenes make it: nothing overlaps, nothing is cut off, in any size of letters and
 // in all themes. `./dev guide` leaves pictures of them for people to look at.
-#include "src/ui/loading.h"
+#include "src/ui/status.h"
 #include "tests/ui/full_panels.h"
 
 namespace snell::ui {

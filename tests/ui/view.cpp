@@ -3,8 +3,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "src/plan/lens.h"
 #include "src/plan/plan.h"
+#include "src/plan/view.h"
 #include "src/ui/help.h"
 #include "tests/scratch.h"
 #include "tests/ui/screen.h"

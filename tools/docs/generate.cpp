@@ -4,10 +4,9 @@
 #include <set>
 
 #include "parser/commands/commands.h"
-#include "parser/names.h"
 #include "parser/text/limits.h"
-#include "parser/text/tidy.h"
 #include "parser/text/words.h"
+#include "parser/text_of.h"
 #include "src/lint/lint.h"
 
 namespace snell::docs {

@@ -2,8 +2,8 @@
 #include <set>
 
 #include "parser/commands/commands.h"
-#include "parser/names.h"
 #include "parser/text/words.h"
+#include "parser/text_of.h"
 #include "src/glsl/glsl.h"
 #include "tools/docs/generate.h"
 

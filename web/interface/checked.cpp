@@ -4,7 +4,7 @@
 
 #include "src/lint/lint.h"
 #include "src/plan/plan.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 
 namespace snell::web {
 

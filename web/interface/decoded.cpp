@@ -1,6 +1,5 @@
 #include "web/interface/decoded.h"
 
-#include "src/content/image/decoded.h"
 #include "src/content/image/image.h"
 
 namespace snell::web {

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "src/content/json.h"
+#include "src/content/text_forms.h"
 #include "src/document/save_values.h"
-#include "src/document/view_text.h"
-#include "src/plan/hand/gesture.h"
+#include "src/plan/gesture.h"
 #include "web/interface/checked.h"
 #include "web/interface/decoded.h"
 #include "web/interface/drawing.h"

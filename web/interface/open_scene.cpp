@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 #include "src/lint/lint.h"
 #include "src/plan/objects.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 
 namespace snell::web {
 

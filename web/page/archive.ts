@@ -7,7 +7,7 @@ export interface Unpacked {
     originals: Map<string, Uint8Array>;
 }
 
-// As in src/app/page/pack.h.
+// As in src/app/page/scene_files.h.
 export const mostFiles = 10_000;
 export const mostBytes = 512 * 1024 * 1024;
 const mostHeaderBytes = 8 * 1024 * 1024;

@@ -1,9 +1,10 @@
-// Changes of a scene's texts that snell proposes: each makes the picture cheaper or better, or leaves out what may have
-// no effect. What is measured, shown and written is the same edit of the author's own text. No GL.
+// Changes of a scene's texts: what each is, by which number it is asked for, and the texts that have it. No GL; nothing
+// is written.
 #pragma once
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@
 #include "src/plan/values/write_back.h"
 
 namespace snell::accuracy {
+
+// Changes of a scene's texts that snell proposes: each makes the picture cheaper or better, or leaves out what may have
+// no effect. What is measured, shown and written is the same edit of the author's own text. No GL.
 
 enum class Aim : std::uint8_t {
     cheaper,  // less work, and an error that must be worth it
@@ -108,5 +112,34 @@ void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::v
 void add_scene_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
 void add_better_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
 void add_omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
+
+// Found rungs by their numbers, and the texts of a scene that has them. No GL; nothing is written.
+
+// Changes that are made together, named by their numbers: "3" or "3+7".
+struct Chosen {
+    std::vector<std::size_t> numbers;  // from 1, ascending
+    // In this order. Each text has one FileId, however often it was included, and edits have its line ends.
+    std::vector<Change> changes;
+};
+
+// Reads a name such as "3+7", as parse_rung() does. Returns nullopt and sets `error` if there is no such change, or two
+// change the same text.
+std::optional<Chosen> choose_changes(std::string_view name, std::span<const Change> changes, const Sources& sources,
+                                     std::string& error);
+
+// Such as "glass.frag:12:5".
+std::string change_place(const Change& change, const Sources& sources);
+
+// Edits at other places than the first, such as "glass.frag:14:12: 8. → 4.".
+std::vector<std::string> other_edits(const Change& change, const Sources& sources);
+
+// Such as "glass.frag:12:5: i < 8 → i < 4". Other edits follow on lines of their own.
+std::string change_line(const Change& change, const Sources& sources);
+
+// The first of several readings of a text: a shader that several others include is read once for each.
+FileId first_reading(FileId file, const Sources& sources);
+
+// The line end of a text: that of its first line, "\n" if it has only one line.
+std::string_view line_end_of(std::string_view text);
 
 }  // namespace snell::accuracy

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "parser/text/ranges.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 
 namespace snell::accuracy {
 

@@ -8,9 +8,8 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/apply.h"
 #include "src/accuracy/found/average.h"
-#include "src/accuracy/found/climb.h"
+#include "src/accuracy/found/change.h"
 #include "src/accuracy/found/search.h"
 
 namespace snell::accuracy {

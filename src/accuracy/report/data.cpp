@@ -7,9 +7,8 @@
 #include <optional>
 
 #include "src/accuracy/report/found.h"
-#include "src/accuracy/report/numbers.h"
 #include "src/accuracy/report/report.h"
-#include "src/content/json.h"
+#include "src/content/text_forms.h"
 
 namespace snell::accuracy {
 

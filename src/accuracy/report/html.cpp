@@ -8,8 +8,8 @@
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
-#include "src/content/base64.h"
 #include "src/content/image/image.h"
+#include "src/content/text_forms.h"
 
 namespace snell::accuracy {
 

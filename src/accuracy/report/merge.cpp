@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/report/report.h"
-#include "src/content/json.h"
+#include "src/content/text_forms.h"
 
 namespace snell::accuracy {
 

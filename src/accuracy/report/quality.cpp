@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "src/accuracy/report/numbers.h"
-#include "src/content/json.h"
+#include "src/accuracy/report/report.h"
+#include "src/content/text_forms.h"
 
 namespace snell::accuracy {
 

@@ -1,13 +1,18 @@
 // Reports of measurements as text, CSV, JSON, Markdown and HTML. Values in, text out; no files, no GL.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "src/accuracy/advice.h"
+#include "src/accuracy/costs.h"
 #include "src/accuracy/found/search.h"
+#include "src/accuracy/metrics.h"
 #include "src/content/table.h"
 
 namespace snell::accuracy {
@@ -88,5 +93,33 @@ std::string html_text(const Report& report, std::string_view slide = {});
 std::string markdown_text(const Report& report, const std::vector<std::string>& plots);
 // A plot for use in a paper: black on a transparent background, with its own fonts and sizes.
 std::string svg_text(const SweepResult& sweep);
+
+// Numbers and errors as JSON.
+
+// JSON has no infinity; null stands for it.
+inline nlohmann::ordered_json number(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+inline nlohmann::ordered_json interval_json(const Interval& interval) {
+    const double low = interval.known() ? interval.low : std::nan("");
+    return {{"median", number(interval.middle)}, {"lo95", number(low)}, {"hi95", number(interval.high)}};
+}
+
+inline nlohmann::ordered_json figures_json(const Figures& figures) {
+    return {{"rmse", number(figures.rmse)},
+            {"psnr_db", number(figures.psnr)},
+            {"max_abs", number(figures.max)},
+            {"mean_abs", number(figures.mean)}};
+}
+
+// An RMSE of null with pixels that are not finite is infinite, unless something else tells why nothing is known.
+inline nlohmann::ordered_json error_json(const Error& error) {
+    return {{"light", figures_json(error.light)},
+            {"display", figures_json(error.display)},
+            {"correlation", number(error.correlation)},
+            {"pixels", error.pixels},
+            {"nonfinite", error.nonfinite}};
+}
 
 }  // namespace snell::accuracy

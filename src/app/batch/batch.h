@@ -4,21 +4,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "src/app/batch/render.h"
 #include "src/app/batch/shots.h"
-#include "src/app/open/deadline.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
-#include "src/app/open/loss.h"
 #include "src/app/open/progress.h"
 #include "src/app/picture/non_finite.h"
-#include "src/app/picture/tiles.h"
-#include "src/app/picture/writer.h"
+#include "src/app/picture/outputs.h"
+#include "src/app/picture/picture.h"
 #include "src/document/document.h"
 #include "src/gl/target.h"
 
@@ -112,5 +112,13 @@ private:
     Writer writer_;
     const std::vector<Written>* written_ = nullptr;
 };
+
+// Reports a batch of pictures as JSON.
+
+// Prints why the file cannot be written, and returns false then.
+bool write_json(const std::string& path, const nlohmann::ordered_json& json);
+
+// Lists every picture with its values, file, size, hash and time.
+nlohmann::ordered_json pictures_json(const Batch& batch, const RenderOptions& options, const Shots& shots, Shard shard);
 
 }  // namespace snell::app

@@ -7,9 +7,8 @@
 
 #include "src/app/batch/batch.h"
 #include "src/app/batch/render.h"
-#include "src/app/batch/reports.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/deadline.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/quality.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"

@@ -17,15 +17,13 @@
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/deadline.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
-#include "src/app/open/interrupt.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/version.h"
 #include "src/app/open/write_copy.h"
 #include "src/document/document.h"
-#include "src/plan/used_files.h"
+#include "src/plan/texts.h"
 
 namespace snell::app {
 

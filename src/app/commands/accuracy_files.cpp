@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/report/merge.h"
 #include "src/accuracy/report/slide/slide.h"
 #include "src/app/commands/options.h"

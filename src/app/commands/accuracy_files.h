@@ -5,7 +5,7 @@
 
 #include "src/accuracy/report/report.h"
 #include "src/app/commands/advice.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/open/complain.h"
 
 namespace snell::app {
 

@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/advice.h"
 #include "src/accuracy/report/quality.h"
 #include "src/app/commands/found_rungs.h"

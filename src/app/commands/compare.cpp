@@ -8,20 +8,19 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
-#include "parser/text/real.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/difference.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/deadline.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
 #include "src/app/picture/outputs.h"
-#include "src/app/picture/scene_picture.h"
-#include "src/content/json.h"
+#include "src/app/picture/picture.h"
 #include "src/content/regular_file.h"
+#include "src/content/text_forms.h"
 #include "src/gl/caps.h"
 #include "src/plan/locate.h"
 
@@ -174,7 +173,7 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
     return best;
 }
 
-nlohmann::ordered_json figures_json(const accuracy::Figures& f) {
+nlohmann::ordered_json compared_figures(const accuracy::Figures& f) {
     const auto number = [](double value) {  // JSON has no infinity
         return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
     };
@@ -187,8 +186,8 @@ nlohmann::ordered_json compared_json(const Compared& c) {
             {"reference", c.reference},
             {"alike", c.alike},
             {"size", {c.width, c.height}},
-            {"display", figures_json(d.error.display)},
-            {"light", figures_json(d.error.light)},
+            {"display", compared_figures(d.error.display)},
+            {"light", compared_figures(d.error.light)},
             {"largest_at", {d.x, d.y}},
             {"flip", d.flip},
             {"pixels_percent", 100 * d.share},

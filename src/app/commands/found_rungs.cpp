@@ -9,19 +9,19 @@
 #include <set>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
-#include "src/accuracy/found/apply.h"
+#include "parser/text/words.h"
 #include "src/accuracy/found/average.h"
+#include "src/accuracy/found/change.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/deadline.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/write_copy.h"
 #include "src/app/picture/outputs.h"
-#include "src/content/json.h"
 #include "src/content/replace.h"
+#include "src/content/text_forms.h"
 #include "src/document/document.h"
-#include "src/plan/used_files.h"
+#include "src/plan/texts.h"
 
 namespace snell::app {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "src/app/commands/advice.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/open/complain.h"
 
 namespace CLI {
 class App;

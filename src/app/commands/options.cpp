@@ -12,8 +12,8 @@
 
 #include "src/app/open/complain.h"
 #include "src/app/open/headless.h"
-#include "src/content/json.h"
-#include "src/content/whole_file.h"
+#include "src/content/files.h"
+#include "src/content/text_forms.h"
 
 namespace snell::app {
 

@@ -14,7 +14,7 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 
 extern char** environ;
 
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> split(std::string_view text) {
+std::vector<std::string> split_command(std::string_view text) {
     std::vector<std::string> words;
     for (std::size_t begin = 0; (begin = text.find_first_not_of(" \t", begin)) != std::string_view::npos;) {
         const std::size_t end = std::min(text.find_first_of(" \t", begin), text.size());
@@ -106,16 +106,16 @@ Spawned spawn(const std::vector<std::string>& words) {
 
 std::string editor_of_environment() {
     for (const char* name : {"VISUAL", "EDITOR"})
-        if (const char* value = std::getenv(name); value && !split(value).empty()) return value;
+        if (const char* value = std::getenv(name); value && !split_command(value).empty()) return value;
     return "xdg-open";
 }
 
 EditorCommand editor_command(std::string_view editor, const std::string& file, int line, int column) {
-    EditorCommand command{split(editor)};
+    EditorCommand command{split_command(editor)};
     if (command.words.empty()) return command;
     const std::string program = fs::path(command.words[0]).filename().string();
-    const auto found =
-        ranges::find_if(known, [&](const Known& row) { return ranges::count(split(row.programs), program) > 0; });
+    const auto found = ranges::find_if(
+        known, [&](const Known& row) { return ranges::count(split_command(row.programs), program) > 0; });
     bool named = false;
     if (found != known.end()) {
         command.terminal = found->terminal;

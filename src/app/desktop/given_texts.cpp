@@ -1,6 +1,6 @@
 #include "src/app/desktop/given_texts.h"
 
-#include "src/content/whole_file.h"
+#include "src/content/files.h"
 
 namespace snell {
 

@@ -2,18 +2,20 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
-#include "src/app/desktop/named_by.h"
-#include "src/content/json.h"
+#include "parser/text/words.h"
+#include "src/content/files.h"
 #include "src/content/replace.h"
-#include "src/content/whole_file.h"
+#include "src/content/text_forms.h"
 
 namespace snell {
 
@@ -139,6 +141,12 @@ std::string write_kept(const std::string& folder, const std::string& scene, cons
     std::string wrong = content::replace_file(file, text);
     if (fresh && wrong.empty()) remove_oldest(folder);
     return wrong;
+}
+
+std::string named_by(const std::string& folder, std::string_view path, std::string_view extension) {
+    std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+    for (const char byte : path) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211U;
+    return fmt::format("{}/{:016x}.{}", folder, hash, extension);
 }
 
 }  // namespace snell

@@ -6,10 +6,14 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "src/plan/values/remembered.h"
 
 namespace snell {
+
+// What a scene was like when it was last open in a window: one small file for each scene, in a folder next to the
+// settings.
 
 inline constexpr std::size_t most_kept_scenes = 200;
 inline constexpr std::uintmax_t most_kept_bytes = std::uintmax_t{256} << 10;  // of one scene
@@ -32,5 +36,11 @@ KeptScene read_kept(const std::string& folder, const std::string& scene);
 // Replaces what is kept of the scene, and removes the files of those that were not opened or changed for the longest
 // time. Returns "" or the error.
 std::string write_kept(const std::string& folder, const std::string& scene, const KeptScene& kept);
+
+// Files of the program's own about a path, in a folder of its own.
+
+// The file in the folder that belongs to the path, such as "/home/ann/.cache/x/00c0ffee00c0ffee.png": the same in every
+// version of the program. `extension` is without the dot.
+std::string named_by(const std::string& folder, std::string_view path, std::string_view extension);
 
 }  // namespace snell

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/plan/locate.h"
 
 extern char** environ;

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
-#include "src/content/json.h"
+#include "parser/text/words.h"
+#include "src/content/files.h"
 #include "src/content/replace.h"
-#include "src/content/whole_file.h"
+#include "src/content/text_forms.h"
 
 namespace snell {
 

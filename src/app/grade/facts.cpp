@@ -5,7 +5,8 @@
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
+#include "src/lint/lint.h"
 
 namespace snell::app {
 
@@ -121,7 +122,7 @@ UsedCommands used_commands(const std::string& scene, const Access& access) {
     UsedCommands used;
     if (!parse_document(scene, files, sources, unheard)) return used;
     for (std::size_t file = 0; file < sources.size(); ++file) {
-        Report report(1);
+        Collector report(1);
         const auto id = static_cast<FileId>(file);
         StatementReader reader(sources.text(id), id, report);
         Statement statement;
@@ -193,6 +194,34 @@ std::string with_aliases(const std::string& assignment, const Rubric& rubric, co
     if (const std::size_t behind = name.find('.') + 1; own == name && behind > 0)
         own = name.substr(0, behind) + own_name(name.substr(behind), rubric, document);
     return own + assignment.substr(equals);
+}
+
+namespace {
+
+bool tries_every_value(const snell::Control& slider) {
+    return slider.type == ValueType::bool_ || slider.type == ValueType::int_ || slider.type == ValueType::uint_;
+}
+
+std::string tried_values(const snell::Control& slider) {
+    if (slider.type == ValueType::bool_) return "for false and true";
+    return fmt::format("for {} from {} to {}", tries_every_value(slider) ? "every value" : "all tried values",
+                       slider.min, slider.max);
+}
+
+}  // namespace
+
+void add_idle_sliders(Document& document, double seconds) {
+    if (!document.runtime || document.diagnostics.has_errors()) return;
+    const lint::RuleFacts& rule = lint::facts(lint::Rule::slider_without_effect);
+    for (const snell::Control* slider : document.runtime->without_effect(seconds)) {
+        const Program& program = document.scene().programs[slider->program];
+        const std::string_view where = program.ladders > 0 ? "with these rungs, " : "";
+        document.diagnostics.warning(rule.code, slider->span,
+                                     fmt::format("'{}' {} no effect: {}program '{}' computes the same {}", slider->name,
+                                                 tries_every_value(*slider) ? "has" : "seems to have", where,
+                                                 program.name, tried_values(*slider)),
+                                     fmt::format("{} ({})", rule.instead, lint::more(rule)));
+    }
 }
 
 }  // namespace snell::app

@@ -23,4 +23,9 @@ std::set<std::string> uniforms_of(const Scene& scene, const Rubric& rubric);
 // The assignment with the names that the scene has in place of the rubric's, where the rubric lists them as aliases.
 std::string with_aliases(const std::string& assignment, const Rubric& rubric, const Document& document);
 
+// Sliders that change nothing, found by the driver's code of the programs.
+
+// Adds a warning for each such slider of a scene without errors; takes about so many seconds.
+void add_idle_sliders(Document& document, double seconds);
+
 }  // namespace snell::app

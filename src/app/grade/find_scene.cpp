@@ -6,10 +6,9 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/app/grade/unpack.h"
-#include "src/content/walk.h"
+#include "src/content/files.h"
 #include "src/plan/locate.h"
 
 namespace snell::app {

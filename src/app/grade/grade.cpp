@@ -7,13 +7,12 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/app/grade/find_scene.h"
 #include "src/app/grade/judge.h"
-#include "src/app/grade/why_ended.h"
+#include "src/app/grade/processes.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/interrupt.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/progress.h"
 #include "src/content/image/open_module.h"
 #include "src/content/workers.h"

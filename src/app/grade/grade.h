@@ -9,7 +9,7 @@
 #include "src/app/grade/report_folder.h"
 #include "src/app/grade/rubric/rubric.h"
 #include "src/app/grade/submissions.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/open/complain.h"
 
 namespace snell::app {
 

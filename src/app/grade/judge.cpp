@@ -1,35 +1,32 @@
 #include "src/app/grade/judge.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 
-#include "parser/text/finding.h"
+#include <fmt/format.h>
+
+#include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
-#include "src/accuracy/clock.h"
+#include "parser/text/words.h"
+#include "src/accuracy/rounds.h"
 #include "src/app/grade/facts.h"
 #include "src/app/grade/find_scene.h"
-#include "src/app/grade/idle_sliders.h"
-#include "src/app/grade/relations.h"
 #include "src/app/grade/rubric/table.h"
 #include "src/app/grade/similarity.h"
 #include "src/app/grade/unpack.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/deadline.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
 #include "src/app/picture/picture.h"
+#include "src/content/files.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
-#include "src/content/whole_file.h"
 #include "src/document/document.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 #include "src/gl/target.h"
 #include "src/lint/lint.h"
-#include "src/plan/read/texts.h"
-#include "src/plan/used_files.h"
-#include "src/runtime/flags.h"
+#include "src/plan/texts.h"
 #include "src/runtime/inspect.h"
 
 namespace snell::app {
@@ -493,5 +490,67 @@ private:
 }  // namespace
 
 Exit judge(const ToJudge& work) { return Judging(work).run(); }
+
+namespace {
+
+using accuracy::Picture;
+using accuracy::PictureDifference;
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+Judged light(const RubricItem& item, const Picture& picture, const Picture& other) {
+    const double now = accuracy::mean_light(picture), before = accuracy::mean_light(other);
+    const bool darker = item.expect == Expect::darker;
+    Judged judged;
+    judged.passed =
+        darker ? now <= before * (1 - item.by) && now < before : now >= before * (1 + item.by) && now > before;
+    const double change = before > 0 ? now / before - 1 : 0;
+    judged.why = fmt::format("its mean light is {:.4g}, against {:.4g}", now, before);
+    if (before > 0 && now != before)
+        judged.why += fmt::format(": {} {}", percent(std::abs(change)), change < 0 ? "less" : "more");
+    if (!judged.passed)
+        judged.why += fmt::format("; expected: at least {} {}", percent(item.by), darker ? "less" : "more");
+    return judged;
+}
+
+Judged changed(const RubricItem& item, double share, double covered) {
+    Judged judged;
+    const bool same = item.expect != Expect::different;
+    if (!same && covered > 0) share = std::min(1., share / covered);
+    judged.passed = same ? share <= item.by : share >= item.by && share > 0;
+    judged.why = fmt::format("{} of the pixels{} differ", percent(share), same ? "" : " that are drawn on");
+    if (!judged.passed) judged.why += fmt::format("; expected: at {} {}", same ? "most" : "least", percent(item.by));
+    return judged;
+}
+
+void hold(Judged& judged, std::string_view what, double value, const std::optional<double>& limit,
+          std::string_view unit) {
+    if (!limit) return;
+    const bool good = value <= *limit;
+    judged.passed = judged.passed && good;
+    judged.why += fmt::format("{}{} {:.4g}{}, at most {:.4g}{}{}", judged.why.empty() ? "" : "; ", what, value, unit,
+                              *limit, unit, good ? "" : " allowed");
+}
+
+Judged near_reference(const RubricItem& item, const PictureDifference& difference) {
+    Judged judged{0, true, {}};
+    hold(judged, "RMSE", difference.error.display.rmse, item.max_rmse, "");
+    hold(judged, "FLIP", difference.flip, item.max_flip, "");
+    hold(judged, "different pixels", 100 * difference.share, item.max_pixels, " %");
+    judged.why = "distance to the reference: " + judged.why;
+    return judged;
+}
+
+}  // namespace
+
+Judged judge_relation(const RubricItem& item, const Picture& picture, const Picture& other,
+                      const PictureDifference& difference, double covered) {
+    if (item.expect == Expect::reference) return near_reference(item, difference);
+    const bool alike = item.expect == Expect::same || item.expect == Expect::mirrored;
+    if (alike && accuracy::uniform(picture) && accuracy::uniform(other))
+        return {0, false, "all pixels of both pictures have one colour, so that nothing is the same"};
+    if (item.expect == Expect::darker || item.expect == Expect::brighter) return light(item, picture, other);
+    return changed(item, difference.share, covered);
+}
 
 }  // namespace snell::app

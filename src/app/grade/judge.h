@@ -4,9 +4,10 @@
 #include <string>
 
 #include "parser/text/limits.h"
+#include "src/accuracy/difference.h"
 #include "src/app/grade/record.h"
 #include "src/app/grade/rubric/rubric.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/open/complain.h"
 
 namespace snell::app {
 
@@ -26,5 +27,12 @@ struct ToJudge {
 // Writes a record into `output`, more than once: what is known so far, as if judging ended there. Ends the process if
 // a picture takes too long. Changes the working directory, so that messages name files as the submission does.
 Exit judge(const ToJudge& work);
+
+// Whether pictures are related as an item of a rubric expects.
+
+// `other` is the picture with other values, or the reference's, of the same size. `covered`: the share of the pixels on
+// which one of them draws something.
+Judged judge_relation(const RubricItem& item, const accuracy::Picture& picture, const accuracy::Picture& other,
+                      const accuracy::PictureDifference& difference, double covered);
 
 }  // namespace snell::app

@@ -7,13 +7,13 @@
 #include <filesystem>
 
 #include "parser/commands/commands.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/difference.h"
 #include "src/app/grade/facts.h"
 #include "src/app/grade/grade.h"
 #include "src/app/grade/rubric/table.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/deadline.h"
+#include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
 #include "src/app/picture/picture.h"
 #include "src/content/replace.h"

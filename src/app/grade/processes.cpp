@@ -1,5 +1,16 @@
 #include "src/app/grade/processes.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -7,13 +18,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <deque>
-#include <fstream>
-#include <vector>
+#include "parser/text/words.h"
+#include "src/app/open/complain.h"
 
 namespace snell::app {
 
@@ -127,6 +133,41 @@ void run_apart(std::size_t count, const ProcessLimits& limits, const std::functi
         }
         if (!running.empty()) usleep(2000);
     }
+}
+
+namespace {
+
+// The first line of what it printed about itself.
+std::string said(const EndedProcess& ended) {
+    const std::size_t at = ended.output.find("snell: error: ");
+    if (at == std::string::npos) return {};
+    const std::string_view line = std::string_view(ended.output).substr(at + 14);
+    return fmt::format(": {}", utf8::printable(line.substr(0, line.find('\n'))));
+}
+
+// What a submission prints may contain the mark, too: only a process that ends for want of memory has this status.
+bool out_of_memory(const EndedProcess& ended) {
+    return ended.status == exit_input && ended.output.find("[out-of-memory]") != std::string::npos;
+}
+
+}  // namespace
+
+std::string why_ended(const EndedProcess& ended, double timeout, double gigabytes) {
+    if (ended.too_long || ended.status == exit_timeout)
+        return fmt::format("it takes longer than {} seconds{}", timeout, said(ended));
+    if (out_of_memory(ended))
+        return gigabytes > 0 ? fmt::format("it takes more than {} GB of memory", gigabytes)
+                             : "it takes more memory than there is";
+    if (ended.signal != 0) {
+        // Drivers abort where they get no memory.
+        const std::string limit =
+            ended.signal == SIGABRT && gigabytes > 0
+                ? fmt::format("; the cause may be the limit of {} GB of memory, which --memory changes", gigabytes)
+                : "";
+        return fmt::format("it ends the program that draws it, twice, by signal {} ({}){}", ended.signal,
+                           strsignal(ended.signal), limit);
+    }
+    return ended.status == exit_fine ? "" : fmt::format("it ends the program that draws it{}", said(ended));
 }
 
 }  // namespace snell::app

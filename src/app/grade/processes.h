@@ -29,4 +29,10 @@ struct ProcessLimits {
 void run_apart(std::size_t count, const ProcessLimits& limits, const std::function<int(std::size_t)>& work,
                const std::function<void(std::size_t, const EndedProcess&)>& done);
 
+// Why the process of a submission ended.
+
+// What is said of it in the report; "" if it ended by itself, with its work done. `timeout`: seconds for a picture;
+// `gigabytes` of memory that it could ask for, 0: no limit.
+std::string why_ended(const EndedProcess& ended, double timeout, double gigabytes);
+
 }  // namespace snell::app

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "src/app/grade/record.h"
-#include "src/content/json.h"
-#include "src/content/whole_file.h"
+#include "src/content/files.h"
+#include "src/content/text_forms.h"
 
 namespace snell::app {
 

@@ -11,19 +11,16 @@
 #include <set>
 
 #include "parser/text/ranges.h"
-#include "parser/text/tidy.h"
-#include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/app/grade/find_scene.h"
 #include "src/app/grade/report_folder.h"
 #include "src/app/grade/unpack.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/version.h"
-#include "src/app/picture/sha256.h"
+#include "src/app/picture/outputs.h"
+#include "src/content/files.h"
 #include "src/content/load_module.h"
 #include "src/content/regular_file.h"
-#include "src/content/walk.h"
-#include "src/content/whole_file.h"
 #include "src/document/document.h"
 #include "src/plan/locate.h"
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/content/archive/api.h"
 #include "src/content/load_module.h"

@@ -9,6 +9,8 @@
 
 namespace snell::app {
 
+// Explanations for the command line: `snell help`, and what shells ask to complete a word.
+
 Run add_help(CLI::App& command);
 Run add_complete(CLI::App& command);
 
@@ -24,5 +26,10 @@ std::vector<std::string_view> explained_codes();
 
 // Returns the name of a subcommand if `word` looks like a mistake for it and is not a file; "" otherwise.
 std::string_view meant_subcommand(std::string_view word);
+
+// Pages of docs/ that the program has in itself, because an installation may lack docs/.
+
+// Returns the text of "diagnostics.md" or "teaching.md", "" for other names.
+std::string_view embedded_page(std::string_view name);
 
 }  // namespace snell::app

@@ -9,11 +9,10 @@
 #include <cstdio>
 #include <cstring>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
-#include "src/app/open/exit_status.h"
-#include "src/app/open/write_saved.h"
+#include "src/app/open/write_copy.h"
 #include "src/content/regular_file.h"
 #include "src/plan/locate.h"
 

@@ -12,7 +12,7 @@
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/version.h"
-#include "src/content/uri.h"
+#include "src/content/text_forms.h"
 #include "src/lint/lint.h"
 #include "src/server/server.h"
 

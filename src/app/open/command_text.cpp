@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 
 namespace snell {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "src/app/open/complain.h"
-#include "src/app/open/memory.h"
+#include "src/app/open/ending.h"
 #include "src/gl/debug.h"
 
 namespace snell::app {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 
 namespace snell {
 

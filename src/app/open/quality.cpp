@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/report/quality.h"
 
 namespace snell::app {

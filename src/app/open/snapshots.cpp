@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "src/content/json.h"
+#include "src/content/files.h"
 #include "src/content/replace.h"
-#include "src/content/whole_file.h"
+#include "src/content/text_forms.h"
 #include "src/document/save_values.h"
 
 namespace snell {

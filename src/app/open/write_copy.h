@@ -1,13 +1,17 @@
-// Writes a scene with its files into another folder, without replacing anything there.
+// Writes a scene: its saved values in place, or with its files into another folder, without replacing anything there.
 #pragma once
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "src/document/save_values.h"
 #include "src/plan/files.h"
 
 namespace snell::app {
+
+// Writes a scene with its files into another folder, without replacing anything there.
 
 struct WrittenCopy {
     std::string scene;               // the path of the scene in the folder
@@ -25,4 +29,39 @@ std::string check_folder(const std::string& folder);
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
                        const std::string& folder);
 
+// The names that the files of a scene get in a copy, which is a page or another folder, by which the scene finds them
+// there as it does on the disk.
+
+struct NamedFile {
+    std::string path;  // on the disk
+    std::string name;  // in the copy: relative, with '/', without ".."
+};
+
+struct CopyNames {
+    std::string scene;
+    std::vector<NamedFile> files;  // in the order of the paths, each name once
+    std::string error;             // "", or why the scene would not find its files in the copy
+};
+
+// Returns a name of the same scene, such that paths that Files resolves from relative names begin with its folder, and
+// those from absolute names do not.
+std::string marked_path(const std::string& scene);
+
+// `scene` is a marked_path(), `paths` are those that were resolved for it, the scene's own among them. Files keep their
+// places relative to each other. Files with absolute names, and those more than a few folders above the scene, whose
+// names would tell of the author's machine, move to the scene's folder, where Files looks for their last component.
+// `copy` is the word for it in errors, such as "a page".
+CopyNames copy_names(const std::string& scene, const std::vector<std::string>& paths, std::string_view copy);
+
 }  // namespace snell::app
+
+namespace snell {
+
+// Writes the saved values to the files of a scene.
+
+// Writes all files or none; each must still have the text `before`. Returns "" or the error.
+std::string write_saved(const std::vector<SavedFile>& files);
+// Restores the previous texts if the files are still as saved. Returns "" or the error.
+std::string revert_saved(const std::vector<SavedFile>& files);
+
+}  // namespace snell

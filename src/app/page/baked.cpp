@@ -8,11 +8,10 @@
 #include <optional>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/open/progress.h"
 #include "src/app/page/encoder.h"
 #include "src/app/picture/picture.h"
-#include "src/app/picture/tiles.h"
 #include "src/plan/values/remembered.h"
 
 namespace snell::app {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "src/app/open/deadline.h"
-#include "src/app/page/pack.h"
+#include "src/app/open/ending.h"
+#include "src/app/page/scene_files.h"
 #include "src/document/document.h"
 
 namespace snell::app {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "src/content/files.h"
 #include "src/content/replace.h"
-#include "src/content/whole_file.h"
 
 namespace snell::app {
 

@@ -1,27 +1,30 @@
 #include "src/app/page/gallery.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <locale.h>
+#include <wctype.h>
+#include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/open/complain.h"
 #include "src/app/page/apart.h"
 #include "src/app/page/encoder.h"
-#include "src/app/page/gallery_index.h"
-#include "src/app/page/html.h"
 #include "src/app/page/page.h"
-#include "src/app/page/page_names.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/app/picture/sheet.h"
-#include "src/content/base64.h"
+#include "src/content/files.h"
 #include "src/content/image/open_module.h"
 #include "src/content/replace.h"
-#include "src/content/whole_file.h"
+#include "src/content/table.h"
+#include "src/content/text_forms.h"
 #include "src/plan/locate.h"
 
 namespace snell::app {
@@ -232,6 +235,138 @@ Exit make_gallery(const GalleryOptions& options) {
     fmt::print("{}: {} of {} scenes have pages\n", utf8::printable((folder / "index.html").string()), pages,
                rows.size());
     return exit_fine;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names without regard to case; beyond ASCII, if the system knows the letters.
+class CaseFolding {
+public:
+    CaseFolding() = default;
+    ~CaseFolding() {
+        if (letters_) freelocale(letters_);
+    }
+    CaseFolding(const CaseFolding&) = delete;
+    CaseFolding& operator=(const CaseFolding&) = delete;
+
+    std::string operator()(std::string_view name) const {
+        std::string folded;
+        for (std::size_t at = 0; at < name.size();) {
+            const utf8::Char c = utf8::decode(name, at);
+            at += c.length;
+            const auto code = static_cast<wint_t>(c.code);
+            utf8::append(folded, static_cast<char32_t>(letters_ ? towlower_l(code, letters_) : towlower(code)));
+        }
+        return folded;
+    }
+
+private:
+    locale_t letters_ = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+};
+
+// What an address or a system cannot have in a name becomes '-', and so does a first dot, which would hide the page.
+std::string page_name(std::string_view text) {
+    constexpr std::string_view refused = "/\\:*?\"<>|#%&";
+    std::string name;
+    for (std::size_t at = 0; at < text.size();) {
+        const utf8::Char c = utf8::decode(text, at);
+        const bool bad =
+            !c.valid || utf8::hidden(c.code) || refused.find(text[at]) != refused.npos || (at == 0 && c.code == '.');
+        name += bad ? "-" : text.substr(at, c.length);
+        at += c.length;
+    }
+    return name;
+}
+
+std::string name_of_scene(const Exhibit& exhibit) { return page_name(fs::path(exhibit.scene).stem().string()); }
+
+std::string name_with_folders(const Exhibit& exhibit) {
+    const fs::path near = fs::path(exhibit.scene).lexically_relative(fs::path(exhibit.folder).lexically_normal());
+    return page_name((near.parent_path() / near.stem()).string());
+}
+
+}  // namespace
+
+void name_pages(std::vector<Exhibit>& exhibits) {
+    const CaseFolding folded;
+    std::map<std::string, int> scenes;
+    for (const Exhibit& exhibit : exhibits) ++scenes[folded(name_of_scene(exhibit))];
+    std::set<std::string> taken{"index"};
+    for (const bool clash : {false, true})
+        for (Exhibit& exhibit : exhibits) {
+            const std::string own = name_of_scene(exhibit);
+            if ((scenes[folded(own)] > 1) != clash) continue;
+            const std::string name = clash ? name_with_folders(exhibit) : own;
+            std::string unique = name;
+            for (int number = 2; !taken.insert(folded(unique)).second; ++number)
+                unique = fmt::format("{}-{}", name, number);
+            exhibit.page = unique + ".html";
+        }
+}
+
+namespace {
+
+// The colours have a contrast of at least 7 to 1, dark and light.
+constexpr std::string_view index_style =
+    R"(:root { color-scheme: light dark; --page: #fff; --text: #1b1f24; --edge: #8a929b; --error: #8c1414; }
+@media (prefers-color-scheme: dark) { :root { --page: #14171a; --text: #e8eaed; --edge: #6b747d; --error: #ffb4ab; } }
+body { margin: 0 auto; max-width: 70rem; padding: 1rem; background: var(--page); color: var(--text); font: 1rem/1.5 system-ui, sans-serif; }
+ul { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: 1rem; margin: 0; padding: 0; list-style: none; }
+li { border: 1px solid var(--edge); border-radius: .5rem; padding: .5rem; overflow-wrap: anywhere; }
+h2 { margin: .25rem 0; font-size: 1rem; }
+img { display: block; width: 100%; height: 8rem; object-fit: contain; }
+a { color: inherit; display: block; }
+a:focus-visible { outline: 3px solid currentColor; outline-offset: 2px; }
+p { margin: .25rem 0; font-size: .875rem; color: var(--error); }
+)";
+
+constexpr std::string_view made_by = "<meta name=\"generator\" content=\"snell\">";
+
+constexpr std::string_view runtime_mark = "// All pages of this gallery share this file. snell made it.\n";
+
+std::string gallery_item(const GalleryRow& row) {
+    const std::string title = content::escaped(row.title);
+    std::string shown;
+    // The heading names the picture.
+    if (!row.picture.empty()) shown = fmt::format("<img alt=\"Picture of {}\" src=\"{}\">", title, row.picture);
+    const std::string heading = fmt::format("<h2>{}</h2>", title);
+    if (row.error.empty())
+        return fmt::format("<li><a href=\"{}\">{}{}</a></li>\n", content::escaped_address(row.page), shown, heading);
+    return fmt::format("<li>{}{}<p>Not in the browser: {}</p></li>\n", shown, heading, content::escaped(row.error));
+}
+
+}  // namespace
+
+std::string row_text(const GalleryRow& row) {
+    return content::json_text(
+        {{"title", row.title}, {"page", row.page}, {"picture", row.picture}, {"error", row.error}});
+}
+
+GalleryRow read_row(const std::string& text) {
+    const nlohmann::ordered_json json = content::parse_json(text);
+    if (!json.is_object()) return {};
+    const auto member = [&json](const char* name) { return json.value(name, std::string()); };
+    return {member("title"), member("page"), member("picture"), member("error")};
+}
+
+bool is_gallery_index(std::string_view page) { return page.find(made_by) != page.npos; }
+
+std::string gallery_runtime(std::string_view script) { return fmt::format("{}{}", runtime_mark, script); }
+
+bool is_gallery_runtime(std::string_view script) { return script.starts_with(runtime_mark); }
+
+std::string gallery_index(const std::vector<GalleryRow>& rows) {
+    std::string page = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+        "'sha256-{}'; base-uri 'none'; form-action 'none'\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{}\n<title>Scenes</title>\n"
+        "<style>{}</style>\n</head>\n<body>\n<main>\n<h1>Scenes</h1>\n<ul>\n",
+        policy_hash(index_style), made_by, index_style);
+    for (const GalleryRow& row : rows) page += gallery_item(row);
+    return page + "</ul>\n</main>\n</body>\n</html>\n";
 }
 
 }  // namespace snell::app

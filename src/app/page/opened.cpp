@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 #include "src/plan/values/remembered.h"
 
 namespace snell::app {

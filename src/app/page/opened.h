@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "src/app/open/deadline.h"
-#include "src/app/open/exit_status.h"
+#include "src/app/open/complain.h"
+#include "src/app/open/ending.h"
 #include "src/document/document.h"
 #include "src/gl/caps.h"
 #include "src/platform/headless.h"

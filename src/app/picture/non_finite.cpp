@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
-#include "src/runtime/flags.h"
 #include "src/runtime/inspect.h"
 
 namespace snell::app {

@@ -4,7 +4,12 @@
 #include <cmath>
 #include <cstring>
 
+#include <fmt/format.h>
+
+#include "src/document/document.h"
+#include "src/gl/target.h"
 #include "src/plan/locate.h"
+#include "src/runtime/inspect.h"
 
 namespace snell::app {
 
@@ -109,6 +114,130 @@ content::Image draw_picture(Runtime& runtime, Frame frame, const gl::Target& tar
                      [&] { return gl::read_rgba32f(surface.framebuffer, width, height, target.samples); });
     return drawn(runtime, frame, surface, kind.transparent, width,
                  [&] { return gl::read_rgba8(surface.framebuffer, width, height, target.samples, target.pixels); });
+}
+
+content::ImageResult scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps,
+                                   std::string& messages) {
+    Diagnostics wrong;
+    const auto choose = [&](const Scene& read, Rungs& rungs) {
+        for (const std::string& rung : wanted.ladders) choose_rung(rungs, read, rung, wrong);
+    };
+    const auto document =
+        open_document(scene, caps, choose, nullptr, {}, access_to(scene, wanted.access, wanted.grade));
+    messages += render(document->diagnostics, document->sources);
+    if (!document->runtime) return {};
+    Controls controls = document->controls;
+    for (const std::string& set : wanted.sets) set_control(controls, document->scene(), set, wrong);
+    messages += render(wrong, document->sources);
+    if (document->diagnostics.has_errors() || wrong.has_errors()) return {};
+    const auto [width, height] =
+        wanted.size.value_or(std::pair(document->scene().window_size[0], document->scene().window_size[1]));
+    Runtime& runtime = *document->runtime;
+    const gl::Target target = gl::make_target(width, height, wanted.samples, runtime.display_pixels());
+    if (!target.framebuffer) {
+        messages += "snell: error: this OpenGL gives no picture of this size\n";
+        return {};
+    }
+    const View view;
+    Frame frame{wanted.time, view, controls};
+    content::ImageResult result;
+    result.image = draw_picture(runtime, frame, target, {.width = width, .height = height}, {});
+    frame.standing = true;
+    FloatPicture floats;
+    std::vector<float> rgba;
+    if (floats.resize(width, height)) floats.draw(runtime, frame, rgba);
+    const auto channels = static_cast<std::size_t>(result.image->channels);
+    for (std::size_t i = 0; i < rgba.size(); ++i)
+        if (i % 4 < 3 && std::isnan(rgba[i])) result.replaced.push_back(i / 4 * channels + i % 4);
+    return result;
+}
+
+Painting::Painting(const std::string& file, const PictureSize& size, const Tiling& tiling, bool transparent,
+                   gl::Pixels display)
+    : size_(size), kind_{size.floats, transparent}, parts_(parts_of(size, tiling)) {
+    target_ = gl::make_target(tiling.width, tiling.height, size.samples, size.floats ? gl::Pixels::rgba32f : display);
+    if (!target_.framebuffer) {
+        error_ = fmt::format("this OpenGL gives no picture of {}x{} with {} samples", tiling.width, tiling.height,
+                             size.samples);
+        return;
+    }
+    band_.width = size.width;
+    band_.height = size.height;
+    band_.channels = transparent ? 4 : 3;
+    band_.type = size.floats ? content::PixelType::f32 : content::PixelType::u8;
+    file_ = std::make_unique<content::RowWriter>(file, band_);
+    error_ = file_->add({});  // finds out whether the file can be written before anything is drawn
+}
+
+void Painting::place(const content::Image& part, const PixelRect& at) {
+    if (at.left == 0) {
+        band_.height = at.height;
+        band_.pixels.resize(band_.bytes());
+    }
+    for (std::size_t y = 0; y < static_cast<std::size_t>(at.height); ++y)
+        std::memcpy(
+            band_.pixels.data() + y * band_.row_bytes() + band_.pixel_bytes() * static_cast<std::size_t>(at.left),
+            part.pixels.data() + y * part.row_bytes(), part.row_bytes());
+}
+
+bool Painting::step(Runtime& runtime, Frame frame) {
+    if (!error_.empty() || done_ == parts_.size()) return false;
+    const PixelRect& part = parts_[done_];
+    // Off-screen targets are the same for all parts, unless something else was drawn in the meantime.
+    frame.standing = done_ > 0 && runtime.counters().frames == drawn_;
+    Surface surface{.width = size_.width, .height = size_.height};
+    if (parts_.size() > 1) surface.part = part;
+    place(draw_picture(runtime, frame, target_, surface, kind_), part);
+    ++done_;
+    drawn_ = runtime.counters().frames;
+    if (part.left + part.width == size_.width) error_ = file_->add(band_.pixels);
+    if (done_ == parts_.size() && error_.empty()) error_ = file_->finish();
+    return error_.empty() && done_ < parts_.size();
+}
+
+namespace {
+
+constexpr double comfortable = 512. * 1024 * 1024;  // bytes; drawing more at once is not faster
+// Parts begin at multiples of the block, so that the blocks in which drivers draw stay the same.
+constexpr int block = 64;
+
+// Every sample has colour, depth and stencil; the picture itself is added.
+double bytes_of_pixel(const PictureSize& size) { return (size.samples * 8. + 16.) * (size.floats ? 2. : 1.); }
+
+int rounded(double pixels) { return std::max(block, static_cast<int>(pixels) / block * block); }
+
+}  // namespace
+
+Tiling tile(const PictureSize& size, const Limits& limits, const gl::Caps& caps, int most) {
+    if (static_cast<std::uint64_t>(std::max(size.width, size.height)) > limits.output_side)
+        return {0, 0,
+                fmt::format("{}x{} is too large\n   help: {}", size.width, size.height,
+                            limit_help(limits, &Limits::output_side))};
+    if (std::max(size.width, size.height) > caps.max_viewport)
+        return {0, 0,
+                fmt::format("{}x{} is more than this OpenGL draws ({})", size.width, size.height, caps.max_viewport)};
+    const double pixel = bytes_of_pixel(size);
+    const double pixels = std::min(comfortable, static_cast<double>(limits.output_bytes)) / pixel;
+    const int side = most > 0 ? std::min(caps.max_texture, most) : caps.max_texture;
+    Tiling tiling{size.width, size.height, {}};
+    if (size.width > side) tiling.width = rounded(side);
+    if (size.height > side) tiling.height = rounded(side);
+    if (static_cast<double>(tiling.width) * tiling.height <= pixels) return tiling;
+    if (tiling.width * static_cast<double>(block) > pixels) tiling.width = rounded(pixels / block);
+    tiling.height = rounded(pixels / tiling.width);
+    if (static_cast<double>(tiling.width) * tiling.height <= pixels) return tiling;
+    return {0, 0,
+            fmt::format("{}x{} with {} samples takes too much memory\n   help: {}", size.width, size.height,
+                        size.samples, limit_help(limits, &Limits::output_bytes))};
+}
+
+std::vector<PixelRect> parts_of(const PictureSize& size, const Tiling& tiling) {
+    std::vector<PixelRect> parts;
+    for (int row = (size.height - 1) / tiling.height; row >= 0; --row)
+        for (int left = 0; left < size.width; left += tiling.width)
+            parts.push_back({left, row * tiling.height, std::min(tiling.width, size.width - left),
+                             std::min(tiling.height, size.height - row * tiling.height)});
+    return parts;
 }
 
 }  // namespace snell::app

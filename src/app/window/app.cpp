@@ -5,7 +5,7 @@
 #include <fstream>
 #include <utility>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/open/snapshots.h"
 #include "src/app/window/window_state.h"
 #include "src/ui/kit/input.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "src/app/open/deadline.h"
+#include "src/app/open/ending.h"
 #include "src/app/window/display.h"
 #include "src/app/window/interface.h"
 #include "src/app/window/measuring.h"

@@ -8,8 +8,8 @@
 
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
-#include "src/app/open/write_saved.h"
-#include "src/document/view_text.h"
+#include "src/app/open/write_copy.h"
+#include "src/document/save_values.h"
 #include "src/plan/objects.h"
 #include "src/ui/kit/numbers.h"
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "src/app/desktop/settings.h"
-#include "src/ui/loading.h"
 #include "src/ui/shell.h"
+#include "src/ui/status.h"
 
 namespace snell {
 

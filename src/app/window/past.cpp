@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 #include "src/plan/objects.h"
 
 namespace snell {

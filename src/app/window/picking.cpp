@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "src/app/open/statement.h"
+#include "src/app/open/complain.h"
 #include "src/plan/objects.h"
 
 namespace snell {

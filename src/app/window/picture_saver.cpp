@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/batch/shots.h"
 #include "src/runtime/resources/uniforms.h"
 

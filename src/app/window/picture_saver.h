@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/app/open/command_text.h"
-#include "src/app/picture/painting.h"
+#include "src/app/picture/picture.h"
 #include "src/document/document.h"
 #include "src/platform/window.h"
 #include "src/ui/panels/state.h"

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "src/app/desktop/folder.h"
-#include "src/app/open/rounds.h"
 #include "src/app/open/snapshots.h"
+#include "src/app/open/warnings.h"
 
 namespace snell {
 

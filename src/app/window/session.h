@@ -10,7 +10,7 @@
 
 #include "src/app/desktop/given_texts.h"
 #include "src/app/desktop/watch.h"
-#include "src/app/window/survive/recovery.h"
+#include "src/app/window/survive/keeper.h"
 #include "src/document/document.h"
 #include "src/plan/values/remembered.h"
 #include "src/ui/panels/state.h"

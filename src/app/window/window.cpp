@@ -7,7 +7,6 @@
 #include "src/app/desktop/folder.h"
 #include "src/app/desktop/given_texts.h"
 #include "src/app/open/complain.h"
-#include "src/app/open/exit_status.h"
 #include "src/app/window/app.h"
 #include "src/content/regular_file.h"
 

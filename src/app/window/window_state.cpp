@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/content/replace.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 #include "src/gl/debug.h"
 #include "src/runtime/inspect.h"
 

@@ -6,7 +6,7 @@
 #include "src/app/window/display.h"
 #include "src/app/window/workspace.h"
 #include "src/platform/window.h"
-#include "src/ui/kit/layout.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/desktop/folder.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/quality.h"

@@ -90,4 +90,12 @@ std::string encode_png(const Image& image);
 // True if write_image needs no module for this path's extension, which holds only for PNG.
 bool writes_without_module(std::string_view path);
 
+// A file that holds an image as it is in memory. A page in a browser gets images in this form that another thread, or
+// the native program, has decoded: the bytes "SNELLIMG"; width, height, depth, channels and type as little-endian
+// 32-bit numbers; the pixels.
+
+std::vector<std::byte> decoded_file(const Image& image);
+bool is_decoded_file(std::string_view bytes);
+ImageResult read_decoded_file(std::string_view bytes, const ImageLimits& limits);
+
 }  // namespace snell::content

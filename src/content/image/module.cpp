@@ -1,16 +1,21 @@
 #include "src/content/image/module.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 
+#include <sys/mman.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "parser/text/ranges.h"
 #include "src/content/image/formats.h"
 #include "src/content/image/open_module.h"
+#include "src/content/image/png_write.h"
+#include "src/content/image/rows.h"
 #include "src/content/load_module.h"
+#include "src/content/replace.h"
 
 namespace snell::content {
 namespace {
@@ -173,6 +178,76 @@ ImageResult decode_other(std::string_view bytes, std::string_view format, const 
         return result;
     }
     return image_failed("image-unreadable", what, "save it as PNG, JPEG, BMP, HDR or EXR");
+}
+
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+// Decoders of other formats, such as TIFF and GIF, also accept files that were cut off.
+constexpr std::string_view provable[] = {"png", "jpeg", "openexr", "hdr", "targa", "bmp"};
+
+// Length, name, data, checksum of name and data; nothing behind the last one.
+bool has_whole_chunks(std::string_view bytes) {
+    constexpr std::size_t signature = 8, around = 12;
+    bool pixels = false;
+    for (std::size_t at = signature; at + around <= bytes.size();) {
+        const std::size_t length = read_big_u32(bytes, at);
+        if (length > bytes.size() - at - around) return false;
+        const std::string_view named = bytes.substr(at + 4, 4 + length);
+        const auto* data = reinterpret_cast<const Bytef*>(named.data());
+        if (crc32_z(0, data, named.size()) != read_big_u32(bytes, at + 8 + length)) return false;
+        at += around + length;
+        pixels = pixels || named.starts_with("IDAT");
+        if (named == "IEND") return pixels && at == bytes.size();
+    }
+    return false;
+}
+
+}  // namespace
+
+bool is_whole(const std::string& path, std::string_view bytes, const ImageLimits& limits) {
+    const std::string_view format = format_of_extension(extension_of(path));
+    if (ranges::find(provable, format) == std::end(provable)) return false;
+    if (sniff(bytes) != (format == "targa" ? "" : format)) return false;  // TGA has no signature
+    if (format == "png") return has_whole_chunks(bytes);
+    if (format == "jpeg" && !bytes.ends_with("\xff\xd9")) return false;
+    if (format == "targa" && !bytes.ends_with("TRUEVISION-XFILE.\0"sv)) return false;
+    if (format == "bmp" && (bytes.size() < 6 || read_u32(bytes, 2) != bytes.size())) return false;
+    const ImageResult result = decode_image(path, bytes, limits);
+    return result.image && ranges::none_of(result.issues, [](const ImageIssue& issue) {
+               return issue.code == "image-truncated" || issue.code == "image-damaged";
+           });
+}
+
+// Writes images to files.
+
+std::string encode_png(const Image& image) {
+    if (image.width <= 0 || image.height <= 0 || image.pixels.size() != image.bytes()) return {};
+    std::string bytes;
+    PngEncoder png([&bytes](std::string_view more) {
+        bytes += more;
+        return true;
+    });
+    const Image top_first = to_bytes(image.bottom_first ? flipped(image) : image);
+    const bool good =
+        png.begin(top_first) && png.rows(top_first.pixels.data(), static_cast<std::size_t>(image.height)) && png.end();
+    return good ? bytes : "";
+}
+
+bool writes_without_module(std::string_view path) { return extension_of(path) == "png"; }
+
+std::string write_image(const std::string& path, const Image& image) {
+    if (image.pixels.size() != image.bytes()) return "the picture is empty";
+    if (image.depth > 1) return "cannot write a 3D texture as an image";
+    // What cannot be renamed is written at once, and has no extension that would tell its format.
+    if (is_stream(path) && extension_of(path).empty()) return replace_file(path, encode_png(image));
+    RowWriter file(path, image);
+    if (image.bottom_first)
+        file.add(flipped(image).pixels);
+    else
+        file.add(image.pixels);
+    return file.finish();
 }
 
 }  // namespace snell::content

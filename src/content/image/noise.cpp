@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "parser/text/words.h"
-#include "src/content/parallel.h"
+#include "src/content/workers.h"
 
 namespace snell::content {
 namespace {

@@ -1,11 +1,13 @@
 #include "src/content/mesh/mesh.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "src/content/bits.h"
 #include "src/content/mesh/surface.h"
 
 namespace snell::content {
@@ -201,6 +203,155 @@ std::size_t Mesh::bytes() const {
 MeshResult make_shape(const Shape& shape, bool wire, const MeshLimits& limits) {
     MeshResult result;
     result.mesh = std::visit(Maker{wire, limits, result.issues}, shape);
+    return result;
+}
+
+namespace {
+
+// An edge of a triangle. `edge` combines its two places in ascending order.
+struct Half {
+    std::uint64_t edge = 0;
+    std::uint32_t corner = 0;  // index into the triangle list at which the edge begins
+    bool reversed = false;     // runs from the higher place to the lower
+};
+
+std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+std::uint32_t far_corner(std::uint32_t corner) { return next_corner(next_corner(corner)); }
+
+std::vector<Half> sorted_halves(std::span<const std::uint32_t> triangles, const Weld& weld) {
+    std::vector<Half> halves(triangles.size());
+    for (std::uint32_t c = 0; c < triangles.size(); ++c) {
+        const std::uint32_t from = weld.place[triangles[c]], to = weld.place[triangles[next_corner(c)]];
+        halves[c] = {std::uint64_t{std::min(from, to)} << 32 | std::max(from, to), c, from > to};
+    }
+    std::sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) {
+        if (a.edge != b.edge) return a.edge < b.edge;
+        if (a.reversed != b.reversed) return b.reversed;
+        return a.corner < b.corner;
+    });
+    return halves;
+}
+
+// The partner of the k-th edge of `own`, which all join the same places in the same direction; those of `other` run in
+// the opposite direction.
+const Half& partner(std::span<const Half> own, std::span<const Half> other, std::size_t k) {
+    if (k < other.size()) return other[k];
+    if (!other.empty()) return other[0];
+    return own[(k + 1) % own.size()];  // an edge at a border is alone and is its own partner
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> with_adjacency(std::span<const std::uint32_t> triangles, const Weld& weld,
+                                          std::size_t* border_edges, std::size_t* crowded_edges) {
+    std::vector<std::uint32_t> result(triangles.size() * 2);
+    for (std::size_t c = 0; c < triangles.size(); ++c) result[2 * c] = triangles[c];
+
+    const std::vector<Half> halves = sorted_halves(triangles, weld);
+    for (auto begin = halves.begin(); begin != halves.end();) {
+        const auto end = std::find_if(begin, halves.end(), [&](const Half& h) { return h.edge != begin->edge; });
+        const auto split = std::find_if(begin, end, [](const Half& h) { return h.reversed; });
+        const std::span<const Half> along(&*begin, static_cast<std::size_t>(split - begin));
+        const std::span<const Half> against(along.data() + along.size(), static_cast<std::size_t>(end - split));
+        for (std::size_t k = 0; k < along.size(); ++k)
+            result[2 * along[k].corner + 1] = triangles[far_corner(partner(along, against, k).corner)];
+        for (std::size_t k = 0; k < against.size(); ++k)
+            result[2 * against[k].corner + 1] = triangles[far_corner(partner(against, along, k).corner)];
+        if (border_edges && end - begin == 1) ++*border_edges;
+        if (crowded_edges && (end - begin > 2 || along.size() == 2 || against.size() == 2)) ++*crowded_edges;
+        begin = end;
+    }
+    return result;
+}
+
+namespace {
+
+constexpr std::uint32_t empty = ~std::uint32_t{0};
+
+std::uint64_t mix(std::uint64_t x) {  // the finaliser of splitmix64
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+    return x ^ (x >> 31);
+}
+
+std::uint64_t hash(const Float3& p) {
+    // Adding 0 turns -0 into 0.
+    const auto bits = [](float x) { return std::uint64_t{bits_as<std::uint32_t>(x + 0.f)}; };
+    return mix(mix(bits(p[0]) | bits(p[1]) << 32) ^ bits(p[2]));
+}
+
+std::size_t table_size(std::size_t entries) { return std::bit_ceil(entries * 2 + 1); }
+
+}  // namespace
+
+Weld weld(std::span<const Float3> positions) {
+    Weld result;
+    result.place.resize(positions.size());
+    std::vector<std::uint32_t> table(table_size(positions.size()), empty);  // index of the first vertex of each place
+    const std::size_t mask = table.size() - 1;
+    for (std::uint32_t i = 0; i < positions.size(); ++i) {
+        std::size_t slot = hash(positions[i]) & mask;
+        while (table[slot] != empty && positions[table[slot]] != positions[i]) slot = (slot + 1) & mask;
+        if (table[slot] == empty) {
+            table[slot] = i;
+            result.place[i] = result.places++;
+        } else {
+            result.place[i] = result.place[table[slot]];
+        }
+    }
+    return result;
+}
+
+void keep_each_edge_once(std::vector<std::uint32_t>& lines, const Weld& weld) {
+    constexpr std::uint64_t none64 = ~std::uint64_t{0};
+    std::vector<std::uint64_t> table(table_size(lines.size() / 2), none64);
+    const std::size_t mask = table.size() - 1;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+        const auto [low, high] = std::minmax(weld.place[lines[i]], weld.place[lines[i + 1]]);
+        const std::uint64_t key = std::uint64_t{high} << 32 | low;
+        std::size_t slot = mix(key) & mask;
+        while (table[slot] != none64 && table[slot] != key) slot = (slot + 1) & mask;
+        if (table[slot] == key) continue;
+        table[slot] = key;
+        const std::array pair{lines[i], lines[i + 1]};
+        lines[kept++] = pair[0];
+        lines[kept++] = pair[1];
+    }
+    lines.resize(kept);
+}
+
+namespace {
+
+Float3 narrow(const Vec3& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
+
+// Normalises `v`; a vector without direction becomes +Z.
+Float3 unit(const Vec3& v) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    if (!(length > 0) || !std::isfinite(length)) return {0, 0, 1};
+    return narrow({v[0] / length, v[1] / length, v[2] / length});
+}
+
+}  // namespace
+
+MeshResult make_vertex_list(const VertexListData& list) {
+    MeshResult result;
+    Mesh& mesh = result.mesh;
+    mesh.topology = list.topology;
+    mesh.patch_vertices = std::max(list.patch_vertices, 1);
+    const bool has_w =
+        std::any_of(list.vertices.begin(), list.vertices.end(), [](const ListVertex& v) { return v.position[3] != 1; });
+    for (const ListVertex& v : list.vertices) {
+        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+        mesh.positions.push_back(narrow({v.position[0], v.position[1], v.position[2]}));
+        mesh.normals.push_back(unit(v.normal));
+        mesh.texcoords.push_back(narrow(v.texcoord));
+        if (has_w) mesh.w.push_back(static_cast<float>(v.position[3]));
+        if (list.has_color)
+            mesh.colors.push_back({static_cast<float>(v.color[0]), static_cast<float>(v.color[1]),
+                                   static_cast<float>(v.color[2]), static_cast<float>(v.color[3])});
+    }
+    mesh.compute_bounds();
     return result;
 }
 

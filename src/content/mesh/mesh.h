@@ -1,9 +1,10 @@
-// Meshes on the CPU, which the runtime uploads. No GL.
+// Meshes of triangles: vertices that are welded, neighbours of edges.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "parser/text/limits.h"
 
 namespace snell::content {
+
+// Meshes on the CPU, which the runtime uploads. No GL.
 
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
@@ -73,5 +76,30 @@ MeshResult parse_obj(std::string_view text, ObjAs as, bool wire, const MeshLimit
 
 // Parses the polylines of an ESRI shape file as GL_LINES. `shp` is the whole .shp file; the .shx is not needed.
 MeshResult parse_shp(std::string_view shp, const MeshLimits& limits = {});
+
+// Finds vertices at the same place. Internal to src/content.
+
+// For each position, the number of its place. Equal positions have equal numbers, which count from 0 in the order of
+// first appearance. 0 and -0 are equal; NaN equals nothing.
+struct Weld {
+    std::vector<std::uint32_t> place;  // as long as the positions
+    std::uint32_t places = 0;
+};
+Weld weld(std::span<const Float3> positions);
+
+// Removes pairs of indices that join the same two places as an earlier pair, in either direction; the order of the
+// others stays.
+void keep_each_edge_once(std::vector<std::uint32_t>& lines, const Weld& weld);
+
+// Neighbours of triangles, for geometry shaders. Internal to src/content.
+
+// Converts indices of GL_TRIANGLES to those of GL_TRIANGLES_ADJACENCY (v0 n01 v1 n12 v2 n20), where n01 is the opposite
+// corner of the triangle across the edge v0 v1. Vertices at the same place count as one, whatever their normals and
+// texture coordinates. At a border there is no neighbour; the triangle's own opposite corner is used, as if it were
+// folded back. If an edge belongs to several triangles, they are paired in order: the k-th that runs along the edge in
+// one direction with the k-th that runs in the other. One without a partner takes the first of the other direction or,
+// if all run in the same direction, the next one.
+std::vector<std::uint32_t> with_adjacency(std::span<const std::uint32_t> triangles, const Weld& weld,
+                                          std::size_t* border_edges = nullptr, std::size_t* crowded_edges = nullptr);
 
 }  // namespace snell::content

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/content/mesh/adjacency.h"
+#include "src/content/mesh/mesh.h"
 #include "src/content/mesh/obj_reader.h"
-#include "src/content/mesh/weld.h"
 
 namespace snell::content {
 namespace {

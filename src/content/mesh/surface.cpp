@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/content/mesh/weld.h"
+#include "src/content/mesh/mesh.h"
 
 namespace snell::content {
 namespace {

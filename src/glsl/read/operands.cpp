@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "parser/text/real.h"
+#include "parser/text/number.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"

@@ -2,7 +2,7 @@
 #include "src/glsl/read/parse.h"
 
 #include "parser/text/ranges.h"
-#include "parser/text/tidy.h"
+#include "parser/text/words.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"

@@ -3,7 +3,7 @@
 #include <charconv>
 
 #include "parser/text/ranges.h"
-#include "parser/text/tidy.h"
+#include "parser/text/words.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 

@@ -1,7 +1,7 @@
 // Stages that a program leaves out, and layouts that a geometry shader leaves to the application.
 #include <algorithm>
 
-#include "parser/text/tidy.h"
+#include "parser/text/words.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {

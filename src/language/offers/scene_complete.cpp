@@ -1,12 +1,13 @@
 // Completion in scenes.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
-#include "parser/names.h"
+#include <fmt/format.h>
+
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "parser/text_of.h"
 #include "src/language/offers/offers.h"
 #include "src/plan/locate.h"
 
@@ -281,6 +282,104 @@ std::vector<Completion> scene_completions(Texts& texts, FileId file, std::uint32
                                                                   : std::vector<Completion>();
     if (statement->command == nullptr) return {};
     return ArgumentOffers(texts, s, *statement, replaced, index).run(token, offset);
+}
+
+// The files that an argument may name, as they are on disk.
+
+namespace {
+
+constexpr std::size_t most_entries = 5000;
+
+// Whether a scene writes the name in quotes, so that it is not several words.
+bool needs_quotes(const std::string& name) {
+    return name.find_first_of(" \t#;,<>[]{}\"") != std::string::npos || name.find("//") != std::string::npos;
+}
+
+}  // namespace
+
+std::vector<Completion> file_completions(std::string_view path, std::string_view written, Span replaced,
+                                         std::span<const std::string_view> extensions, Quotes quotes) {
+    namespace fs = std::filesystem;
+    std::vector<Completion> found;
+    const bool quoted = written.starts_with('"');
+    if (quoted) written.remove_prefix(1);
+    const std::size_t slash = written.find_last_of("/\\");
+    const std::string_view parent = slash == std::string_view::npos ? "" : written.substr(0, slash + 1);
+    std::string prefix(parent);
+    std::replace(prefix.begin(), prefix.end(), '\\', '/');
+    std::error_code error;
+    fs::directory_iterator at("." / fs::path(path).parent_path() / prefix, error);
+    if (error) return found;
+    std::size_t count = 0;
+    for (; at != fs::directory_iterator() && count < most_entries; at.increment(error), ++count) {
+        if (error) break;
+        const std::string name = at->path().filename().string();
+        if (name.starts_with('.') || name.find('\n') != std::string::npos) continue;
+        const bool is_folder = at->is_directory(error);
+        const auto ends = [&](std::string_view extension) { return has_extension(name, extension); };
+        if (!is_folder && ranges::none_of(extensions, ends)) continue;
+        // The folders before it stay, so that editors compare its name with what is written of it.
+        Completion& one = add_offer(found, is_folder ? name + "/" : name,
+                                    is_folder ? Completion::Kind::folder : Completion::Kind::file, replaced, "");
+        one.replaced.begin += static_cast<std::uint32_t>(parent.size() + (quoted ? 1 : 0));
+        if (quoted && !is_folder && quotes == Quotes::added) one.text += '"';
+        if (!quoted && quotes == Quotes::added && needs_quotes(one.label)) {
+            one.replaced = replaced;
+            one.text = "\"" + std::string(parent) + one.label + (is_folder ? "" : "\"");
+        }
+        one.rank = is_folder ? 2 : 1;
+        one.more = is_folder;
+    }
+    return found;
+}
+
+// The rows of the table of commands as text for editors.
+
+Signature command_signature(const Command& command, std::size_t alternative) {
+    Signature made{std::string(command.name), {}, {}};
+    for (std::size_t i = 0; i < command.signature.parameter_count(alternative); ++i) {
+        const Parameter& p = command.signature.parameter(alternative, i);
+        const bool bare = p.optional && p.default_text.empty() && !p.repeated && p.kind != ArgumentKind::uniforms;
+        std::string one(p.kind == ArgumentKind::vec3 ? fmt::format("[{}]", p.name) : std::string(p.name));
+        if (p.kind == ArgumentKind::choice) one = p.choices;
+        if (p.kind == ArgumentKind::uniforms) one = "uniform value …";
+        if (!p.default_text.empty()) one += fmt::format("={}", p.default_text);
+        if (p.repeated) one += " …";
+        made.label += ' ';
+        const auto begin = static_cast<std::uint32_t>(made.label.size());
+        made.label += bare ? fmt::format("[{}]", one) : one;
+        made.parameters.emplace_back(begin, static_cast<std::uint32_t>(made.label.size()));
+    }
+    return made;
+}
+
+std::string parameter_text(const Parameter& parameter) {
+    constexpr std::string_view kinds[] = {
+        "number", "whole number", "file", "name", "", "three numbers in brackets", "uniforms and their values",
+        "words"};
+    const std::string text = parameter.kind == ArgumentKind::choice
+                                 ? fmt::format("{}", fmt::join(split(parameter.choices, '/'), ", "))
+                                 : std::string(kinds[static_cast<std::size_t>(parameter.kind)]);
+    if (!parameter.default_text.empty()) return text + "; default: " + std::string(parameter.default_text);
+    if (parameter.repeated) return text + "; any number of them";
+    return parameter.optional ? text + "; may be left out" : text;
+}
+
+std::string command_text(const Command& command) {
+    std::string text = "```\n";
+    for (std::size_t i = 0; i < command.signature.count; ++i) text += command_signature(command, i).label + "\n";
+    text += "```\n" + std::string(command.doc);
+    if (!command.alias.empty()) text += fmt::format("\n\n`{}` means the same.", command.alias);
+    if (command.addition) text += "\n\nglman does not know this command.";
+    return text;
+}
+
+std::string place_text(Texts& texts, FileId file, std::uint32_t offset) {
+    std::string_view name = texts.project.sources.name(file);
+    if (const std::size_t slash = name.find_last_of('/');
+        slash != std::string_view::npos && !texts.project.path_of(file).empty())
+        name.remove_prefix(slash + 1);
+    return fmt::format("{}:{}", name, texts.project.sources.position(file, offset).line);
 }
 
 }  // namespace snell::language

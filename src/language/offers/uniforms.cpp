@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "parser/text/tidy.h"
+#include "parser/text/words.h"
 #include "src/glsl/glsl.h"
 
 namespace snell::language {

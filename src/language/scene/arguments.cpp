@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "parser/names.h"
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "parser/text_of.h"
 #include "src/language/scene/statements.h"
 
 namespace snell::language {

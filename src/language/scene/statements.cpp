@@ -38,7 +38,7 @@ Statements read_statements(FileId file, std::string_view text) {
     Statements found;
     found.text = text;
     found.file = file;
-    Report unheard(0);
+    Collector unheard(0);
     StatementReader reader(text, file, unheard);
     Statement statement;
     while (reader.next(statement)) {

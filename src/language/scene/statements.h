@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "parser/commands/commands.h"
-#include "parser/read/lexer.h"
+#include "parser/read/syntax.h"
 
 namespace snell::language {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/plan/values/fit.h"
+#include "src/plan/values/declared.h"
 
 namespace snell {
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <optional>
 
-#include "parser/text/real.h"
-#include "parser/text/tidy.h"
+#include "parser/text/number.h"
+#include "parser/text/words.h"
 #include "src/plan/values/controls.h"
-#include "src/plan/values/fit.h"
+#include "src/plan/values/declared.h"
 
 namespace snell {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
-#include "src/plan/values/fit.h"
+#include "src/plan/values/declared.h"
 #include "src/plan/values/remembered.h"
 
 namespace snell {

@@ -26,4 +26,21 @@ bool set_by_snell(const Program& program, std::string_view name, std::string_vie
 // The uniform as a linked program would have it if it is active.
 ActiveUniform described(const Program& program, const glsl::DeclaredUniform& declared);
 
+// Fits numbers to the types of uniforms. For use in src/plan only.
+
+struct Range {
+    double min, current, max;
+};
+
+// Returns the nearest value that a uniform of that type can hold: integers are rounded (halves away from zero), bool
+// becomes 0 or 1, texture units are not negative, floats stay within float's range. NaN becomes 0.
+double fit_to_type(double value, ValueType type);
+
+// Limits min and max to what a slider of that type supports: whole numbers for integers, and at most half of the type's
+// range, so that max - min cannot overflow.
+Range limit_range(Range range, ValueType type);
+
+// Chooses widget and range for a uniform whose range the scene does not give.
+void suggest_widget(Control& control);
+
 }  // namespace snell

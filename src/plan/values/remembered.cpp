@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/plan/values/fit.h"
+#include "src/plan/values/declared.h"
 
 namespace snell {
 

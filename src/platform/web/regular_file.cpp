@@ -1,10 +1,12 @@
 // Files in memory: nothing replaces them meanwhile, and no link leads to what is open.
-#include "src/content/regular_file.h"
+#include <filesystem>
 
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <filesystem>
+#include "src/content/mesh/mesh.h"
+#include "src/content/regular_file.h"
+#include "src/content/workers.h"
 
 namespace snell::content {
 
@@ -47,6 +49,29 @@ std::optional<std::string> read_regular_file(const std::string& path, std::uint6
     auto bytes = bytes_of(real.string(), static_cast<std::size_t>(size));
     if (!bytes) error = "it cannot be read";
     return bytes;
+}
+
+// A page has one thread: the caller does all.
+
+std::size_t cores() { return 1; }
+
+void work_beside(std::size_t, const std::function<void()>&, const std::function<void(std::size_t started)>& here) {
+    here(0);
+}
+
+}  // namespace snell::content
+
+// Parsers of meshes in a page.
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
+
+namespace snell::content {
+
+MeshResult parse_shp(std::string_view, const MeshLimits&) {
+    MeshResult result;
+    result.issues.push_back({true, "shp-in-a-page", "a page in a browser reads no shape files (.shp)",
+                             "convert the file to .obj, or draw the scene with snell itself"});
+    return result;
 }
 
 }  // namespace snell::content

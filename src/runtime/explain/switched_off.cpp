@@ -9,7 +9,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
 #include "src/plan/identity.h"
-#include "src/runtime/explain/words.h"
+#include "src/runtime/explain/explain.h"
 #include "src/runtime/impl.h"
 
 namespace snell::runtime {

@@ -1,6 +1,7 @@
 // What a runtime has done, and how far it is with loading.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -53,3 +54,18 @@ struct LoadProgress {
 using Watcher = std::function<void(const LoadProgress& progress)>;
 
 }  // namespace snell
+
+namespace snell::runtime {
+
+// Wall time since it was made.
+class Stopwatch {
+public:
+    double milliseconds() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace snell::runtime

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <set>
 
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
-#include "parser/text/real.h"
 
 namespace snell::runtime {
 

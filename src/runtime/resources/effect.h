@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "src/runtime/resources/counters.h"
 #include "src/runtime/resources/program.h"
-#include "src/runtime/resources/stopwatch.h"
 
 namespace snell::runtime {
 

@@ -1,5 +1,6 @@
 #include "src/runtime/resources/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "parser/text/ranges.h"
@@ -122,6 +123,12 @@ std::uint64_t triangle_count(Topology topology, std::uint32_t count) {
 std::uint64_t line_count(Topology topology, std::uint32_t count) {
     const TopologyFacts& facts = facts_of(topology);
     return facts.input == GL_LINES || facts.input == GL_LINES_ADJACENCY ? facts.primitives(count) : 0;
+}
+
+std::optional<TreePart> tree_part(std::string_view sampler, std::string_view type) {
+    const auto* found = ranges::find(glsl::mesh_samplers, sampler);
+    if (type != "sampler2D" || found == glsl::mesh_samplers.end()) return std::nullopt;
+    return static_cast<TreePart>(found - glsl::mesh_samplers.begin());
 }
 
 }  // namespace snell::runtime

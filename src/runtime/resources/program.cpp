@@ -8,8 +8,8 @@
 
 #include "parser/text/ranges.h"
 #include "shaders/embedded.h"
-#include "src/plan/read/texts.h"
-#include "src/runtime/resources/stopwatch.h"
+#include "src/plan/texts.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell::runtime {
 

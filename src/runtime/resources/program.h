@@ -15,8 +15,8 @@
 #include "src/plan/plan.h"
 #include "src/plan/values/controls.h"
 #include "src/runtime/resources/counters.h"
-#include "src/runtime/resources/draw_context.h"
 #include "src/runtime/resources/instances.h"
+#include "src/runtime/resources/state.h"
 #include "src/runtime/resources/store.h"
 
 namespace snell::runtime {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "src/gl/beyond.h"
+#include "src/gl/driver.h"
 #include "src/glsl/glsl.h"
 
 namespace snell::runtime {

@@ -1,7 +1,7 @@
 #include "src/runtime/resources/texture_reader.h"
 
 #include "src/content/image/noise.h"
-#include "src/runtime/resources/stopwatch.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell::runtime {
 

@@ -16,12 +16,30 @@
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
 #include "src/plan/identity.h"
-#include "src/runtime/resources/computed.h"
 #include "src/runtime/resources/counters.h"
 #include "src/runtime/resources/store.h"
 #include "src/runtime/resources/texture_reader.h"
 
 namespace snell::runtime {
+
+// Cube maps that are computed from others, as levels to upload.
+
+struct CubeLevels {
+    std::vector<content::CubeFaces> faces;  // what `texels` point to
+    std::vector<std::array<gl::Texels, 6>> texels;
+    std::size_t bytes = 0;
+
+    int size() const { return faces[0][0].width; }
+};
+
+// The light that was drawn into a cube map.
+content::CubeLight read_light(GLuint cube, int size);
+
+// The size of the first level: as declared, otherwise by the size of the source.
+int computed_size(const Scene& scene, const Texture& declared, int source_size);
+CubeLevels computed_levels(Computed computed, const content::CubeLight& light, int size);
+// For a source into which nothing was drawn yet.
+CubeLevels black_levels(Computed computed, int size);
 
 struct GpuTexture {
     gl::Texture texture;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "parser/text/tidy.h"
 #include "parser/text/words.h"
 
 namespace snell::server {

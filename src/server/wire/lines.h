@@ -1,11 +1,18 @@
-// Places in a text as the protocol counts them: lines, and units of an encoding within a line.
+// JSON values, and places in a text as the protocol counts them: lines, and units of an encoding within a line.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
+#include "parser/text/source.h"
+
 namespace snell::server {
+
+// Places in a text as the protocol counts them: lines, and units of an encoding within a line.
 
 enum class Encoding : std::uint8_t { utf8, utf16 };
 
@@ -38,5 +45,19 @@ private:
     };
     mutable Last last_;
 };
+
+// JSON values, and places of the protocol in them.
+
+using Json = nlohmann::ordered_json;
+
+// Bytes that are not UTF-8 become U+FFFD.
+std::string text_of(const Json& json);
+
+Json place_json(Place place);
+Json range_json(const Lines& lines, const Span& span, Encoding encoding);
+
+// Of params of any shape: these throw a type_error for a wrong one, which is answered with "invalid params".
+Place place_of(const Json& json);
+std::string string_at(const Json& json, const char* key);
 
 }  // namespace snell::server

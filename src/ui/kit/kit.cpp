@@ -1,12 +1,12 @@
 #include "src/ui/kit/kit.h"
 
-#include <imgui.h>
-#include <imgui_internal.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include "parser/text/ranges.h"
 #include "src/ui/kit/input.h"
@@ -156,5 +156,24 @@ void tip(std::string_view text) {
 }
 
 void keep_wheel() { ImGui::SetItemUsingMouseWheel(); }
+
+void Layout::note(std::string_view name) {
+    if (!listening_) return;
+    const ImVec2 min = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+    items_.push_back({std::string(name), {min.x, min.y, size.x, size.y}, ImGui::IsItemVisible()});
+}
+
+void Layout::note(std::string_view first, std::string_view second) {
+    if (listening_) note(std::string(first).append(".").append(second));
+}
+
+void Layout::place_window(std::string_view name) {
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    place(name, {at.x, at.y, size.x, size.y});
+}
+
+void Layout::place(std::string_view name, const Rect& rect) {
+    if (listening_) items_.push_back({std::string(name), rect, true});
+}
 
 }  // namespace snell::ui

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "parser/text/real.h"
+#include "parser/text/number.h"
 
 namespace snell::ui {
 

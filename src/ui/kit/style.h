@@ -2,11 +2,18 @@
 // There are few colours, and each has one meaning.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include <imgui.h>
 
-#include "src/ui/kit/theme.h"
-
 namespace snell::ui {
+
+// The window's themes.
+
+enum class Theme : std::uint8_t { light, dark, contrast };
+inline constexpr std::array<std::string_view, 3> theme_names{"light", "dark", "contrast"};
 
 // Text is legible on everything that it lies on, and controls stand out by their borders: tests/ui/contrast.cpp.
 struct Palette {

@@ -1,10 +1,13 @@
 // A buffer for text that is composed again in every frame; short text needs no heap.
 #pragma once
 
-#include <fmt/format.h>
-
+#include <cstddef>
 #include <string_view>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "parser/text/diagnostic.h"
 
 namespace snell::ui {
 
@@ -45,5 +48,10 @@ private:
 
     mutable fmt::basic_memory_buffer<char, 320> buffer_;  // mutable for the terminating 0 of c_str()
 };
+
+// Cuts a line of source to a given number of columns.
+
+// Cuts the line to at most `columns` characters. The first caret stays visible; dots mark what is left out.
+MarkedLine excerpt(const MarkedLine& line, std::size_t columns);
 
 }  // namespace snell::ui

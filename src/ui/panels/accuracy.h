@@ -12,7 +12,7 @@
 
 #include "parser/scene.h"
 #include "src/plan/values/controls.h"
-#include "src/ui/kit/layout.h"
+#include "src/ui/kit/kit.h"
 
 namespace snell::ui {
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
 #include "parser/text/words.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/panels/state.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/ui/kit/layout.h"
+#include "src/ui/kit/kit.h"
 
 namespace snell::ui {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "src/ui/kit/layout.h"
+#include "src/ui/kit/kit.h"
 
 namespace snell::ui {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "src/runtime/flags.h"
-#include "src/ui/kit/layout.h"
+#include "src/runtime/inspect.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/kit/widgets.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/ui/kit/excerpt.h"
 #include "src/ui/kit/numbers.h"
+#include "src/ui/kit/text.h"
 #include "src/ui/panels/panels.h"
 
 namespace snell::ui {

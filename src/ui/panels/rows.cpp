@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "parser/text/ranges.h"
-#include "src/plan/values/fit.h"
+#include "src/plan/values/declared.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"

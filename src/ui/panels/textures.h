@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "src/ui/kit/layout.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/pixels.h"
 

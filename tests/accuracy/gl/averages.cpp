@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/change.h"
 #include "tests/accuracy/gl/common.h"
 
 namespace snell::test {

@@ -1,8 +1,8 @@
 // What timing pictures costs itself, and what is said of passes and draws.
 #include <algorithm>
 
-#include "src/accuracy/clock.h"
-#include "src/accuracy/statistics.h"
+#include "src/accuracy/costs.h"
+#include "src/accuracy/rounds.h"
 #include "src/app/window/measure/frame_costs.h"
 #include "src/gl/present.h"
 #include "tests/harness/harness.h"

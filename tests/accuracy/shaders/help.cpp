@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "parser/read/parse.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 
 namespace snell::accuracy::test {
 

@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "parser/names.h"
 #include "parser/text_of.h"
 #include "tests/oracle/scene/decompose.h"
 

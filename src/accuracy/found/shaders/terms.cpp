@@ -7,7 +7,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/shaders/shader.h"
-#include "src/accuracy/found/shaders/written.h"
 
 namespace snell::accuracy {
 

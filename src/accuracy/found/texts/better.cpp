@@ -7,7 +7,7 @@
 #include "src/accuracy/found/texts/texts.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/lint.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 
 namespace snell::accuracy::texts {
 

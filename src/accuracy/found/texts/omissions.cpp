@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shaders/written.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "src/accuracy/found/texts/texts.h"
 
 namespace snell::accuracy::texts {

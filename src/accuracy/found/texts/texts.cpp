@@ -8,15 +8,15 @@
 #include "parser/commands/commands.h"
 #include "parser/read/builder.h"
 #include "parser/read/syntax.h"
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
-#include "parser/text/real.h"
-#include "src/accuracy/found/apply.h"
+#include "src/accuracy/found/change.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
 #include "src/plan/identity.h"
 #include "src/plan/locate.h"
-#include "src/plan/read/texts.h"
+#include "src/plan/texts.h"
 
 namespace snell::accuracy::texts {
 
@@ -102,7 +102,7 @@ namespace {
 void read_statements(FileId file, const Files& files, const Sources& sources, std::set<std::string_view>& seen,
                      std::vector<Statement>& all) {
     if (!seen.insert(sources.name(file)).second) return;
-    Report unheard(0);  // parsing reported what is wrong
+    snell::Collector unheard(0);  // parsing reported what is wrong
     StatementReader reader(sources.text(file), file, unheard);
     snell::Statement read;
     while (reader.next(read)) {

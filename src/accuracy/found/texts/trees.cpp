@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "parser/text/real.h"
+#include "parser/text/number.h"
 #include "src/accuracy/found/texts/texts.h"
 #include "src/glsl/read/tree.h"
 #include "src/glsl/read/words.h"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/report/axis.h"
+#include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/slide/shapes.h"
 
 namespace snell::accuracy {

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/commands/explain/explain.h"
-#include "src/content/json.h"
+#include "src/content/text_forms.h"
 
 namespace snell::app {
 

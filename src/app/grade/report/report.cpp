@@ -1,11 +1,19 @@
 #include "src/app/grade/report/report.h"
 
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "parser/text/words.h"
+#include "src/app/page/page.h"
+#include "src/content/files.h"
 #include "src/content/replace.h"
+#include "src/content/table.h"
+#include "src/content/text_forms.h"
+#include "src/plan/locate.h"
 
 namespace snell::app {
 
@@ -44,6 +52,431 @@ std::string write_report(const Grades& grades, const std::string& output) {
     write(folder / "junit.xml", results_junit(grades));
     write(folder / "index.html", index_page(grades, pairs));
     return wrong;
+}
+
+namespace {
+
+// The colours have a contrast of at least 4.5 to 1, dark and light.
+constexpr std::string_view style =
+    R"(:root { color-scheme: light dark; --page: #fff; --text: #1b1f24; --quiet: #57606a; --edge: #d0d7de; --head: #f3f5f7; --full: #d8f3dc; --part: #fff0c2; --none: #ffd9d6; --link: #0550ae; }
+@media (prefers-color-scheme: dark) { :root { --page: #14171a; --text: #e8eaed; --quiet: #a9b1ba; --edge: #3d444d; --head: #20252b; --full: #143d20; --part: #4a3a08; --none: #551d1a; --link: #79b8ff; } }
+body { margin: 0 auto; max-width: 90rem; padding: 1rem; background: var(--page); color: var(--text); font: 1rem/1.5 system-ui, sans-serif; }
+a { color: var(--link); }
+h1 { font-size: 1.5rem; margin: .5rem 0; } h2 { font-size: 1.125rem; margin: 1.5rem 0 .5rem; }
+p { margin: .5rem 0; max-width: 60rem; } .quiet { color: var(--quiet); }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; } th, td { border: 1px solid var(--edge); padding: .25rem .5rem; text-align: left; vertical-align: top; overflow-wrap: break-word; max-width: 40rem; }
+th { background: var(--head); } td.number, th.number { text-align: right; } td.number { white-space: nowrap; } .number { min-width: 4rem; max-width: 9rem; }
+th button { all: unset; cursor: pointer; font-weight: bold; } th button:focus-visible { outline: 2px solid currentColor; outline-offset: 2px; }
+th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
+.full { background: var(--full); } .part { background: var(--part); } .none { background: var(--none); }
+img { display: block; max-width: 100%; height: auto; } td img { width: 5rem; max-width: none; } td a { display: inline-block; }
+.pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: .5rem 0; } figure { margin: 0; } figcaption { font-size: .875rem; color: var(--quiet); }
+.over { position: relative; } .over img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 50%); } input[type=range] { width: 100%; margin: .25rem 0; }
+pre { overflow-x: auto; border: 1px solid var(--edge); background: var(--head); padding: .5rem; font: .8125rem/1.4 ui-monospace, monospace; margin: 0; }
+.sides { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .sides > div { min-width: 0; } mark { background: var(--part); color: inherit; display: block; }
+)";
+
+}  // namespace
+
+std::string shown_text(std::string_view text) {
+    std::string shown;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string line;
+        for (const char c : text.substr(at, end - at)) line += c == '\t' ? std::string(4, ' ') : std::string(1, c);
+        if (line.ends_with('\r')) line.pop_back();
+        shown += content::escaped(utf8::printable(line));
+        if (end < text.size()) shown += '\n';
+        at = end + 1;
+    }
+    return shown;
+}
+
+std::string page_frame(std::string_view title, std::string_view body, std::string_view script) {
+    const std::string allowed = script.empty() ? "" : fmt::format("; script-src 'sha256-{}'", policy_hash(script));
+    const std::string element = script.empty() ? "" : fmt::format("<script>{}</script>\n", script);
+    return fmt::format(
+        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; img-src "
+        "'self' file:{}\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"generator\" content=\"snell grade\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}"
+        "{}</body>\n</html>\n",
+        policy_hash(style), allowed, shown_text(title), style, body, element);
+}
+
+std::string_view class_of(double points, double of) { return points >= of ? "full" : points > 0 ? "part" : "none"; }
+
+// The results for programs: CSV, JSON, and JUnit's XML for CI services.
+
+namespace {
+
+// In quotes where needed. Spreadsheets would run what begins like a formula.
+std::string field(const std::string& text) {
+    std::string safe = utf8::printable(text);
+    if (!safe.empty() && std::string_view("=+-@").find(safe.front()) != std::string_view::npos) safe = "'" + safe;
+    if (safe.find_first_of(",;\"") == safe.npos) return safe;
+    std::string quoted = "\"";
+    for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string xml(std::string_view text) { return content::escaped(utf8::printable(text)); }
+
+}  // namespace
+
+std::string results_csv(const Grades& grades) {
+    std::string text = "submission,points";
+    for (const RubricItem& item : grades.rubric.items) text += "," + field(item.name);
+    text += ",errors,warnings,problem,notes,folder\n";
+    for (const GradedSubmission& graded : grades.all) {
+        text += fmt::format("{},{}", field(graded.submission.name), points_text(graded.record.points()));
+        for (const Judged& item : graded.record.items) text += "," + points_text(item.points);
+        text +=
+            fmt::format(",{},{},{},{},{}\n", graded.record.errors, graded.record.warnings, field(graded.record.problem),
+                        field(fmt::format("{}", fmt::join(graded.record.notes, "; "))),
+                        field("students/" + graded.submission.folder));
+    }
+    return text;
+}
+
+std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs) {
+    using Json = nlohmann::ordered_json;
+    Json json{{"schema", 1},
+              {"title", grades.rubric.title},
+              {"points", grades.rubric.points()},
+              {"items", Json::array()},
+              {"submissions", Json::array()},
+              {"similar", Json::array()}};
+    for (const RubricItem& item : grades.rubric.items)
+        json["items"].push_back({{"name", item.name}, {"points", item.most()}, {"deducts", item.points - item.most()}});
+    for (const GradedSubmission& graded : grades.all) {
+        const Record& record = graded.record;
+        Json one{{"name", graded.submission.name}, {"folder", "students/" + graded.submission.folder},
+                 {"scene", record.scene},          {"points", record.points()},
+                 {"problem", record.problem},      {"notes", record.notes},
+                 {"errors", record.errors},        {"warnings", record.warnings},
+                 {"items", Json::array()}};
+        for (const Judged& item : record.items)
+            one["items"].push_back({{"points", item.points}, {"passed", item.passed}, {"why", item.why}});
+        json["submissions"].push_back(std::move(one));
+    }
+    for (const AlikePair& pair : pairs)
+        json["similar"].push_back({{"a", "students/" + grades.all[pair.a].submission.folder},
+                                   {"b", "students/" + grades.all[pair.b].submission.folder},
+                                   {"share", pair.share}});
+    return content::json_text(json) + '\n';
+}
+
+std::string results_junit(const Grades& grades) {
+    std::string text =
+        fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\">\n", xml(grades.rubric.title));
+    for (const GradedSubmission& graded : grades.all) {
+        std::size_t failures = 0;
+        for (const Judged& item : graded.record.items) failures += !item.passed;
+        text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n", xml(graded.submission.name),
+                            graded.record.items.size(), failures);
+        for (std::size_t i = 0; i < graded.record.items.size(); ++i) {
+            const Judged& item = graded.record.items[i];
+            const std::string name = xml(grades.rubric.items[i].name);
+            text += fmt::format("    <testcase classname=\"{}\" name=\"{}\"", xml(graded.submission.name), name);
+            if (item.passed)
+                text += "/>\n";
+            else
+                text += fmt::format("><failure message=\"{}\"/></testcase>\n", xml(item.why));
+        }
+        text += "  </testsuite>\n";
+    }
+    return text + "</testsuites>\n";
+}
+
+// The page of one submission, which can be handed back with its folder.
+
+namespace {
+
+constexpr std::string_view slide_script = R"(
+for (const slider of document.querySelectorAll('input[type=range]')) {
+  const upper = slider.previousElementSibling.children[1];
+  const show = () => { upper.style.clipPath = `inset(0 0 0 ${slider.value}%)`; };
+  slider.addEventListener('input', show);
+  show();
+}
+)";
+
+std::string items_table(const Rubric& rubric, const Record& record) {
+    std::string text =
+        "<div class=\"wide\"><table><thead><tr><th scope=\"col\">What is judged</th><th scope=\"col\" "
+        "class=\"number\">Points</th><th scope=\"col\">Why</th></tr></thead><tbody>\n";
+    for (std::size_t i = 0; i < rubric.items.size(); ++i) {
+        const RubricItem& item = rubric.items[i];
+        const Judged& judged = record.items[i];
+        text += fmt::format("<tr><td>{}</td><td class=\"number {}\">{}{}</td><td>{}</td></tr>\n", shown_text(item.name),
+                            class_of(item.left(judged.points), item.points), points_text(judged.points),
+                            item.deducts ? "" : " of " + points_text(item.points), shown_text(judged.why));
+    }
+    return text + "</tbody></table></div>\n";
+}
+
+std::string caption(const Rubric& rubric, std::size_t picture) {
+    const std::string label = rubric.pictures[picture].label();
+    return label.empty() ? "as it is" : shown_text(label);
+}
+
+std::string figure(std::string_view file, std::string_view text, const Rubric& rubric) {
+    return fmt::format(
+        "<figure><img alt=\"{1}\" src=\"{0}\" width=\"{2}\" height=\"{3}\"><figcaption>{1}</figcaption></figure>", file,
+        text, rubric.width, rubric.height);
+}
+
+// The submission's picture at the left of the slider, the reference's at the right.
+std::string beside_reference(const Rubric& rubric, const Record& record, const RubricItem& item) {
+    return fmt::format(
+        "<div class=\"pictures\"><figure><div class=\"over\"><img alt=\"Submission\" src=\"{}\" width=\"{}\" "
+        "height=\"{}\"><img alt=\"Reference\" src=\"reference-{}.png\" width=\"{}\" height=\"{}\"></div><input "
+        "type=\"range\" min=\"0\" max=\"100\" value=\"50\" aria-label=\"Where the reference begins\"><figcaption>left: "
+        "submission, right: reference</figcaption></figure>{}</div>\n",
+        record.drawn[item.picture], rubric.width, rubric.height, item.than, rubric.width, rubric.height,
+        figure(record.maps[item.map], "difference (FLIP): black is none", rubric));
+}
+
+// The pictures that an item, or one of its alternatives, compares.
+std::string compared(const Rubric& rubric, const Record& record, const RubricItem& item, std::vector<bool>& told) {
+    const bool against = item.expect == Expect::reference;
+    told[item.picture] = true;
+    if (against && !record.maps[item.map].empty()) return beside_reference(rubric, record, item);
+    std::string text =
+        "<div class=\"pictures\">" + figure(record.drawn[item.picture], caption(rubric, item.picture), rubric);
+    if (!against && item.than != item.picture && !record.drawn[item.than].empty()) {
+        told[item.than] = true;
+        text += figure(record.drawn[item.than], caption(rubric, item.than), rubric);
+    }
+    return text + "</div>\n";
+}
+
+std::string pictures(const Rubric& rubric, const Record& record) {
+    std::string text = "<h2>Pictures</h2>\n";
+    if (record.drawn.front().empty()) return text + "<p>There are none.</p>\n";
+    std::vector<bool> told(rubric.pictures.size());
+    for (const RubricItem& item : rubric.items)
+        for (const RubricItem* part : item.parts()) {
+            if (part->kind != RubricItem::Kind::picture || record.drawn[part->picture].empty()) continue;
+            const std::string of_it = part == &item ? "" : " (" + part->name + ")";
+            text += fmt::format("<h3>{}</h3>\n", shown_text(item.name + of_it)) + compared(rubric, record, *part, told);
+        }
+    if (told.front()) return text;
+    return text + "<div class=\"pictures\">" + figure(record.drawn.front(), caption(rubric, 0), rubric) + "</div>\n";
+}
+
+}  // namespace
+
+std::string student_page(const Grades& grades, const GradedSubmission& graded) {
+    const Rubric& rubric = grades.rubric;
+    const Record& record = graded.record;
+    const std::string title = graded.submission.name + (rubric.title.empty() ? "" : " \u00b7 " + rubric.title);
+    std::string body = fmt::format("<h1>{}</h1>\n<p><b>{} of {} points</b>", shown_text(title),
+                                   points_text(record.points()), points_text(rubric.points()));
+    if (!record.scene.empty()) body += fmt::format(", for {}", shown_text(record.scene));
+    body += "</p>\n";
+    if (!record.problem.empty()) body += fmt::format("<p class=\"none\">{}</p>\n", shown_text(record.problem));
+    for (const std::string& note : record.notes) body += fmt::format("<p>{}</p>\n", shown_text(note));
+    body += items_table(rubric, record) + pictures(rubric, record);
+    body += "<h2>Errors and warnings</h2>\n";
+    body += record.messages.empty() ? "<p>There are none.</p>\n"
+                                    : fmt::format("<pre>{}</pre>\n", shown_text(record.messages));
+    return page_frame(title, body, slide_script);
+}
+
+// The table of all submissions, and the pairs that are alike.
+
+namespace {
+
+// Sorts by the column whose heading is clicked: by number where all are numbers.
+constexpr std::string_view sort_script = R"(
+for (const button of document.querySelectorAll('th button')) button.addEventListener('click', () => {
+  const head = button.closest('th'), body = head.closest('table').tBodies[0], column = head.cellIndex;
+  const down = head.getAttribute('aria-sort') === 'ascending';
+  for (const other of head.parentNode.children) other.removeAttribute('aria-sort');
+  head.setAttribute('aria-sort', down ? 'descending' : 'ascending');
+  const key = row => row.cells[column].dataset.key ?? row.cells[column].textContent;
+  const compare = (a, b) => isNaN(key(a)) || isNaN(key(b)) ? key(a).localeCompare(key(b)) : key(a) - key(b);
+  body.append(...[...body.rows].sort((a, b) => down ? compare(b, a) : compare(a, b)));
+});
+)";
+
+std::string heading(std::string_view text, std::string_view more, bool number) {
+    return fmt::format("<th{} scope=\"col\"><button>{}</button>{}</th>", number ? " class=\"number\"" : "",
+                       shown_text(text), more);
+}
+
+std::string row_of_table(const Rubric& rubric, const GradedSubmission& graded) {
+    const Record& record = graded.record;
+    const std::string folder = "students/" + graded.submission.folder;
+    const bool drawn = !record.drawn.empty() && !record.drawn.front().empty();
+    std::string row = fmt::format(
+        "<tr><td>{}</td>",
+        drawn ? fmt::format(
+                    "<a href=\"{0}/index.html\"><img loading=\"lazy\" alt=\"Picture of {1}\" src=\"{0}/{2}\"></a>",
+                    folder, shown_text(graded.submission.name), record.drawn.front())
+              : std::string("no picture"));
+    row += fmt::format("<td><a href=\"{}/index.html\">{}</a>", folder, shown_text(graded.submission.name));
+    if (const std::string told = remark(record); !told.empty()) row += "<br>" + shown_text(told);
+    row += fmt::format("</td><td class=\"number\" data-key=\"{0}\"><b>{1}</b></td>", record.points(),
+                       points_text(record.points()));
+    for (std::size_t i = 0; i < rubric.items.size(); ++i) {
+        const Judged& item = record.items[i];
+        row += fmt::format("<td class=\"number {}\" data-key=\"{}\" title=\"{}\">{}</td>",
+                           class_of(rubric.items[i].left(item.points), rubric.items[i].points), item.points,
+                           shown_text(item.why), points_text(item.points));
+    }
+    return row + fmt::format("<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n", record.errors,
+                             record.warnings);
+}
+
+std::string alike_table(const Grades& grades, const std::vector<AlikePair>& pairs) {
+    std::string text =
+        "<h2 id=\"similar\">Similar shaders</h2>\n<p>Pairs whose shaders have much in common beyond what was handed "
+        "out and what many of the class have. Names, numbers, blanks and comments are not compared. This is a hint "
+        "for a person to look at; it does not count as points.</p>\n";
+    if (pairs.empty()) return text + "<p>There are none.</p>\n";
+    text += "<div class=\"wide\"><table><thead><tr>" + heading("In common", "", true) + heading("One", "", false) +
+            heading("Other", "", false) + "<th scope=\"col\">Both</th></tr></thead><tbody>\n";
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        text += fmt::format(
+            "<tr><td class=\"number\" data-key=\"{0}\">{0:.0f} %</td><td>{1}</td><td>{2}</td><td><a "
+            "href=\"similar/{3}.html\">beside each other</a></td></tr>\n",
+            100 * pairs[i].share, shown_text(grades.all[pairs[i].a].submission.name),
+            shown_text(grades.all[pairs[i].b].submission.name), i + 1);
+    return text + "</tbody></table></div>\n";
+}
+
+// What the lecturer's own scene gets, which ought to be all points.
+std::string about_reference(const Grades& grades) {
+    if (!grades.reference) return {};
+    const Record& record = *grades.reference;
+    std::string text = fmt::format("<p>The reference gets {} of {} points.", points_text(record.points()),
+                                   points_text(grades.rubric.points()));
+    if (!record.problem.empty()) text += " " + shown_text(record.problem) + ".";
+    for (std::size_t i = 0; i < record.items.size(); ++i)
+        if (!record.items[i].passed)
+            text += fmt::format(" <b>{}</b>: {}.", shown_text(grades.rubric.items[i].name),
+                                shown_text(record.items[i].why));
+    return text + "</p>\n";
+}
+
+}  // namespace
+
+std::string remark(const Record& record) {
+    constexpr std::size_t most = 2;
+    std::string text = record.problem;
+    for (std::size_t i = 0; i < std::min(record.notes.size(), most); ++i)
+        text += (text.empty() ? "" : "; ") + record.notes[i];
+    if (record.notes.size() > most) text += fmt::format("; and {} more", record.notes.size() - most);
+    return text;
+}
+
+std::string points_text(double points) {
+    std::string text = fmt::format("{:.2f}", points);
+    while (text.ends_with('0')) text.pop_back();
+    if (text.ends_with('.')) text.pop_back();
+    return text;
+}
+
+std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs) {
+    const Rubric& rubric = grades.rubric;
+    const std::string title = rubric.title.empty() ? "Results" : rubric.title;
+    double sum = 0;
+    for (const GradedSubmission& graded : grades.all) sum += graded.record.points();
+    std::string body = fmt::format(
+        "<h1>{}</h1>\n<p>{} submissions, {} points at most, {} on average. <a href=\"results.csv\">results.csv</a>, <a "
+        "href=\"results.json\">results.json</a>, <a href=\"junit.xml\">junit.xml</a>, <a href=\"#similar\">similar "
+        "shaders</a></p>\n",
+        shown_text(title), grades.all.size(), points_text(rubric.points()),
+        points_text(grades.all.empty() ? 0 : sum / static_cast<double>(grades.all.size())));
+    body += about_reference(grades);
+    body += "<div class=\"wide\"><table><thead><tr><th scope=\"col\">Picture</th>" + heading("Submission", "", false) +
+            heading("Points", "", true);
+    for (const RubricItem& item : rubric.items)
+        body += heading(item.name,
+                        fmt::format("<br><span class=\"quiet\">{} {}</span>", item.deducts ? "deducts" : "of",
+                                    points_text(item.points)),
+                        true);
+    body += heading("Errors", "", true) + heading("Warnings", "", true) + "</tr></thead><tbody>\n";
+    for (const GradedSubmission& graded : grades.all) body += row_of_table(rubric, graded);
+    body += "</tbody></table></div>\n";
+    if (!grades.left_out.empty())
+        body += fmt::format("<p>Not submissions: {}.</p>\n",
+                            shown_text(fmt::format("{}", fmt::join(grades.left_out, ", "))));
+    body += alike_table(grades, pairs);
+    return page_frame(title, body, sort_script);
+}
+
+// Two submissions side by side, with what they have in common.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The text with the lines marked that fingerprints in common cover.
+std::string marked(const Record& record, std::size_t text, const AlikePair& pair) {
+    std::vector<bool> common;
+    for (const Print& print : record.prints) {
+        if (print.text != text || !std::binary_search(pair.hashes.begin(), pair.hashes.end(), print.hash)) continue;
+        if (common.size() <= print.last) common.resize(print.last + 1);
+        std::fill(common.begin() + print.first, common.begin() + print.last + 1, true);
+    }
+    std::string shown;
+    std::size_t line = 1;
+    for (const std::string_view part : split(record.texts[text].text, '\n')) {
+        const std::string safe = shown_text(part);
+        // Elements that begin lines of their own need no line ends.
+        if (line < common.size() && common[line])
+            shown += fmt::format("<mark>{}</mark>", safe.empty() ? " " : safe);
+        else
+            shown += safe + '\n';
+        ++line;
+    }
+    return shown;
+}
+
+std::string side(const GradedSubmission& graded, const AlikePair& pair) {
+    std::string text = fmt::format("<div><h2>{}</h2>\n", shown_text(graded.submission.name));
+    for (std::size_t i = 0; i < graded.record.texts.size(); ++i)
+        text += fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", shown_text(graded.record.texts[i].name),
+                            marked(graded.record, i, pair));
+    return text + "</div>\n";
+}
+
+}  // namespace
+
+std::string alike_page(const Grades& grades, const AlikePair& pair) {
+    const std::string title =
+        fmt::format("{} and {}", grades.all[pair.a].submission.name, grades.all[pair.b].submission.name);
+    return page_frame(
+        title, fmt::format("<h1>{}</h1>\n<p>{:.0f} % of the shorter one's fingerprints are in the other one, too. "
+                           "Marked lines hold them. This is a hint for a person to look at. <a "
+                           "href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
+                           shown_text(title), 100 * pair.share, side(grades.all[pair.a], pair),
+                           side(grades.all[pair.b], pair)));
+}
+
+std::set<std::uint64_t> handed_out(const Rubric& rubric) {
+    std::set<std::uint64_t> hashes;
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (const std::string& path : rubric.templates) {
+        if (fs::is_regular_file(path, error)) files.emplace_back(path);
+        content::walk(path, [&files](const fs::path& entry, fs::file_status status, int) {
+            if (fs::is_regular_file(status)) files.push_back(entry);
+            return content::Walk::on;
+        });
+    }
+    for (const fs::path& file : files) {
+        if (!is_shader_name(file.native())) continue;
+        Record record;
+        add_prints(record, file.string(), content::whole_file(file.string()));
+        for (const Print& print : record.prints) hashes.insert(print.hash);
+    }
+    return hashes;
 }
 
 }  // namespace snell::app

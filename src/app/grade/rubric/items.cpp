@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "parser/commands/commands.h"
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
-#include "parser/text/real.h"
-#include "parser/text/tidy.h"
 #include "parser/text/words.h"
 #include "src/app/grade/rubric/table.h"
-#include "src/document/view_text.h"
+#include "src/document/save_values.h"
 #include "src/gl/program.h"
 #include "src/lint/lint.h"
 #include "src/runtime/resources/counters.h"

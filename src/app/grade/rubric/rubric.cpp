@@ -6,12 +6,11 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/app/grade/rubric/items.h"
 #include "src/app/grade/rubric/table.h"
 #include "src/app/grade/rubric/toml.h"
-#include "src/content/walk.h"
-#include "src/content/whole_file.h"
+#include "src/content/files.h"
 
 namespace snell::app {
 

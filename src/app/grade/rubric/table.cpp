@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 
 namespace snell::app {
 

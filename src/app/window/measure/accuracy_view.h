@@ -6,7 +6,7 @@
 #include <string>
 
 #include "src/app/window/measure/refine.h"
-#include "src/gl/still.h"
+#include "src/gl/present.h"
 #include "src/ui/panels/accuracy.h"
 
 namespace snell {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
+#include "parser/text/words.h"
 #include "src/accuracy/report/found.h"
 
 namespace snell {

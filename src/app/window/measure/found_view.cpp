@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "parser/text/utf8.h"
-#include "src/accuracy/found/apply.h"
+#include "parser/text/words.h"
 #include "src/accuracy/found/average.h"
+#include "src/accuracy/found/change.h"
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/report/report.h"
 #include "src/app/open/command_text.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/clock.h"
-#include "src/accuracy/statistics.h"
-#include "src/app/open/statement.h"
+#include "src/accuracy/costs.h"
+#include "src/accuracy/rounds.h"
+#include "src/app/open/complain.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
 

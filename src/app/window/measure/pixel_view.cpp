@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/app/open/statement.h"
+#include "src/app/open/complain.h"
 
 namespace snell {
 

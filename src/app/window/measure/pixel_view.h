@@ -8,7 +8,7 @@
 
 #include "src/app/window/measure/refine.h"
 #include "src/document/document.h"
-#include "src/gl/still.h"
+#include "src/gl/present.h"
 #include "src/runtime/inspect.h"
 #include "src/ui/panels/pixels.h"
 

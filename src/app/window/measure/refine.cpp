@@ -7,7 +7,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/bench.h"
-#include "src/accuracy/statistics.h"
+#include "src/accuracy/costs.h"
 
 namespace snell {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/front.h"
+#include "src/accuracy/costs.h"
 #include "src/accuracy/metrics.h"
 #include "src/accuracy/report/report.h"
 

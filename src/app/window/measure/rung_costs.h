@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "src/accuracy/sample_mean.h"
+#include "src/accuracy/reference.h"
 #include "src/ui/panels/accuracy.h"
 
 namespace snell {

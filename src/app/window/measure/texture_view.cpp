@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "src/runtime/explain/words.h"
+#include "src/runtime/explain/explain.h"
 
 namespace snell {
 

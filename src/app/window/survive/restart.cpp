@@ -13,7 +13,7 @@
 #include <string_view>
 #include <utility>
 
-#include "src/content/whole_file.h"
+#include "src/content/files.h"
 
 namespace snell {
 

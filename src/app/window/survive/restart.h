@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "src/app/open/deadline.h"
-#include "src/app/window/survive/recovery.h"
+#include "src/app/open/ending.h"
+#include "src/app/window/survive/keeper.h"
 
 namespace snell {
 

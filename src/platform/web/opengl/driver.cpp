@@ -1,13 +1,13 @@
 // Answers to questions about the context.
-#include "src/gl/driver.h"
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include <emscripten/html5.h>
 
-#include <string_view>
-
 #include "src/gl/api.h"
 #include "src/gl/debug.h"
-#include "src/gl/health.h"
+#include "src/gl/driver.h"
 
 #undef glGetUniformfv
 #undef glGetUniformiv
@@ -55,3 +55,26 @@ bool lost() { return emscripten_is_webgl_context_lost(emscripten_webgl_get_curre
 void watch_messages(const MessageReport&) {}
 
 }  // namespace snell::gl
+
+namespace snell::gl::beyond {
+
+// WebGL 2 has nothing beyond OpenGL ES 3.0.
+
+namespace {
+
+[[noreturn]] void lacks(const char* what) { throw std::logic_error(std::string("WebGL 2 has no ") + what); }
+
+}  // namespace
+
+void polygon_mode(GLenum) { lacks("polygon modes"); }
+void point_size(GLfloat) { lacks("point sizes outside of shaders"); }
+void patch_vertices(GLint) { lacks("tessellation"); }
+void image_1d(GLint, GLsizei, GLenum, GLenum, const void*) { lacks("1D textures"); }
+void image_of_samples(GLenum, GLenum) { lacks("multisampled textures"); }
+void buffer_texels(GLenum, GLuint) { lacks("buffer textures"); }
+void uniform(GLint, int, GLsizei, const double*) { lacks("doubles in shaders"); }
+void properties_of(GLuint, GLuint, std::span<const GLenum>, std::span<GLint>) { lacks("program interface queries"); }
+void mark_time(GLuint) { lacks("timers"); }
+std::uint64_t nanoseconds(GLuint) { lacks("timers"); }
+
+}  // namespace snell::gl::beyond

@@ -1,0 +1,124 @@
+#include "src/plan/texts.h"
+
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "parser/read/parse.h"
+#include "shaders/embedded.h"
+#include "src/plan/identity.h"
+#include "src/plan/locate.h"
+
+namespace snell {
+
+namespace {
+
+IncludeReader scene_includes(Files& files) {
+    return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
+        const Resolved resolved = files.resolve_beside(from, name, scene_extensions());
+        std::string error(resolved.outside ? outside_reason : "");
+        if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest, {}, std::move(error)};
+        auto text = files.read(resolved.path, error);
+        if (!text) return IncludedText{{}, {}, {}, {}, std::move(error)};
+        return IncludedText{
+            resolved.path, std::move(*text), {}, resolved.inexact ? written_name(resolved.path, from, files) : ""};
+    };
+}
+
+}  // namespace
+
+std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
+                                             Diagnostics& diagnostics) {
+    std::string error;
+    auto text = files.read(path, error);
+    if (!text) {
+        diagnostics.error("scene-unreadable", "cannot read '" + path + "': " + error);
+        return std::nullopt;
+    }
+    const FileId file = sources.add(path, std::move(*text));
+    Parsed parsed = parse(file, sources, scene_includes(files), files.limits());
+    diagnostics.append(parsed.diagnostics);
+    return ParsedDocument{file, std::move(parsed.scene)};
+}
+
+std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
+
+glsl::IncludeReader shader_includes(Files& files) {
+    return [&files](std::string_view from, std::string_view name, bool angle) -> std::optional<glsl::IncludeText> {
+        if (angle) {
+            const std::string_view text = embedded_shader(name);
+            if (text.empty()) return std::nullopt;
+            return glsl::IncludeText{std::string(name), std::string(text)};
+        }
+        const Resolved resolved = files.resolve_beside(from, name, {"glsl"});
+        std::string error(resolved.outside ? outside_reason : "");
+        const auto text = resolved.path.empty() ? nullptr : files.read_once(resolved.path, error);
+        if (!text && error.empty()) return std::nullopt;
+        if (!text) return glsl::IncludeText{{}, {}, std::move(error)};
+        return glsl::IncludeText{resolved.path, *text};
+    };
+}
+
+namespace {
+
+// The names in quotes on the lines with an `include`, once each. Lines that are no directives do no harm.
+std::set<std::string_view> included_names(std::string_view text) {
+    constexpr std::string_view directive = "include";
+    std::set<std::string_view> names;
+    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + directive.size())) {
+        const std::size_t quote = text.find_first_of("\"\n", at);
+        if (quote == text.npos || text[quote] != '"') continue;
+        const std::size_t end = text.find_first_of("\"\n", quote + 1);
+        if (end != text.npos && text[end] == '"') names.insert(text.substr(quote + 1, end - quote - 1));
+    }
+    return names;
+}
+
+std::set<std::string> included_files(const Plan& plan, const Sources& sources, const Files& files) {
+    Files reader(files.folder(), files.access());
+    std::set<std::string> found;
+    for (const PlannedProgram& program : plan.programs) {
+        const std::vector<ShaderText> texts = shader_texts(program, sources, reader);
+        for (std::size_t i = program.stages.size(); i < texts.size(); ++i) found.insert(texts[i].path);
+    }
+    return found;
+}
+
+}  // namespace
+
+// A list, not a recursion, because the chain of includes may be long.
+std::vector<ShaderText> shader_texts(const PlannedProgram& program, const Sources& sources, Files& reader) {
+    std::vector<ShaderText> texts;
+    for (const glsl::StageInput& stage : program.stages)
+        texts.push_back({std::string(sources.name(stage.file)), sources.text(stage.file)});
+    std::set<std::string> found;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const auto [from, text] = texts[i];
+        for (const std::string_view name : included_names(text)) {
+            const std::string path = reader.resolve_beside(from, name, {"glsl"}).path;
+            if (path.empty()) continue;
+            if (!found.insert(std::filesystem::path(path).lexically_normal().string()).second) continue;
+            std::string error;
+            const auto inner = reader.read_once(path, error);
+            texts.push_back({path, inner ? std::string_view(*inner) : ""});
+        }
+    }
+    return texts;
+}
+
+std::vector<std::string> used_files(const Plan& plan, const Sources& sources, const Files& files) {
+    std::vector<std::string> paths = files.read_paths();
+    const auto add = [&](const std::vector<std::string>& more) { paths.insert(paths.end(), more.begin(), more.end()); };
+    Diagnostics unheard;  // the plan's own diagnostics say the same
+    for (const Texture& texture : plan.scene.textures)
+        if (!texture.files.empty())
+            for (TextureFile& file : locate_texture(texture, files, unheard))
+                if (!file.path.empty()) paths.push_back(std::move(file.path));
+    for (Index mesh = 0; mesh < plan.meshes.size(); ++mesh) add(mesh_identity(plan, mesh, files).files);
+    add(noise_identity(2, plan.scene.noise2d, files).files);
+    add(noise_identity(3, plan.scene.noise3d, files).files);
+    for (const std::string& path : included_files(plan, sources, files)) paths.push_back(path);
+    return paths;
+}
+
+}  // namespace snell
