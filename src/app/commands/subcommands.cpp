@@ -1,5 +1,5 @@
-// The subcommands that are short: `snell info`, the window (`snell SCENE`), `commands`, `save`, `web`, `render` and `sweep`,
-// `grade`.
+// The subcommands that are short: `snell info`, the window (`snell SCENE`), `commands`, `save`, `web`, `render` and
+// `sweep`, `grade`.
 #include "src/app/commands/subcommands.h"
 
 #include <cstdio>
