@@ -65,6 +65,22 @@ TEST_F(SettledPictures, AreThoseOfUniformsAtOtherValues) {
     }
 }
 
+// Pictures of the size that people look at, as architecture.md promises: a channel differs by at most one level of 255.
+TEST_F(SettledPictures, OfNoiseAndVarnishDifferByOneLevelAtMost) {
+    const std::string noise = "docs/teaching/02-noise/submissions/passing/noise.glib";
+    const std::string varnish = "scenes/light/varnish/varnish.glib";
+    const std::tuple<std::string, std::vector<std::string>, unsigned> rows[]{
+        {noise, {}, 0}, {noise, {"uNoiseAmp=0"}, 1}, {varnish, {}, 1}, {varnish, {"uView=1", "uMixRatio=0"}, 1}};
+    for (const auto& [path, sets, decided] : rows) {
+        const Look large{.width = 400, .height = 400, .sets = sets};
+        auto general = open_file(path), settled = open_settled(path, sets);
+        const Picture any = draw(*general, large), values = draw(*settled, large);
+        EXPECT_EQ(settled->runtime->counters().specialised_draws, decided) << path;
+        EXPECT_EQ(general->runtime->counters().specialised_draws, 0U) << path;
+        EXPECT_LE(difference(values, any), 1) << path;
+    }
+}
+
 // Where rounding shows: hashes, indices, and what numbers of the text and constants leave undefined together.
 TEST_F(SettledPictures, AreThoseOfUniformsWhereRoundingShows) {
     const std::pair<const char*, const char*> cases[]{

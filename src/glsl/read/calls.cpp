@@ -262,6 +262,7 @@ bool Parser::call_user(Expression& result, std::string_view name, std::vector<Ex
             note_write(given[n], nullptr, "out");
         else
             convert(given[n], parameter.type, Due::argument);
+        if (parameter.storage == Storage::in && parameter.written) mark_kept(given[n], here() - 1);
     }
     return true;
 }

@@ -118,6 +118,7 @@ Expression Parser::initialiser(const Type& due) {
     Expression list;
     list.first = open;
     list.type = due;
+    std::vector<Expression> elements;
     int count = 0;
     bool known = true;
     if (++depth_ > 200) {
@@ -133,6 +134,7 @@ Expression Parser::initialiser(const Type& due) {
         list.constant = list.constant && e.constant;
         known = known && !e.value.empty();
         list.value.insert(list.value.end(), e.value.begin(), e.value.end());
+        elements.push_back(e);
         ++count;
         if (!accept(",")) break;
         if (p_ == before) ++p_;
@@ -149,6 +151,8 @@ Expression Parser::initialiser(const Type& due) {
     list.last = close;
     if (due.dims > 0) list.type.size = count;
     emit(Op::construct, count, {}, list.type);
+    list.step = here() - 1;
+    if (settles_ && (due.dims > 0 || due.base == Base::structure)) constructed_[here() - 1] = std::move(elements);
     grow(Form::list, begin, list);
     if ((target_.es || target_.version < 420) && due.structure < 0 && !due.name.empty() && element.dims == 0) {
         u_.replace(open, std::string(due.name) + (due.dims > 0 ? "[" + std::to_string(count) + "]" : "") + "(");
@@ -184,6 +188,7 @@ void Parser::function(const Type& result, int first, int name) {
     p_ = name + 2;
     open_scope();
     std::vector<std::pair<int, Type>> given;  // out parameters: tokens of their names
+    std::vector<std::string_view> names;
     while (!at_end() && !is(")")) {
         const int before = p_;
         const Qualifiers q = qualifiers();
@@ -198,7 +203,11 @@ void Parser::function(const Type& result, int first, int name) {
             parameter.variable = variable(parameter.type);
             declare(parameter_name, {parameter.type, -1, parameter.variable, false, false, {}});
             if (parameter.storage == Storage::out) given.emplace_back(name_at, parameter.type);
+            names.push_back(parameter_name);
+        } else {
+            names.emplace_back();
         }
+        parameter.written = true;
         if (parameter.type.base != Base::none) f.parameters.push_back(parameter);
         if (!accept(",") || p_ == before) break;
     }
@@ -215,12 +224,15 @@ void Parser::function(const Type& result, int first, int name) {
         u_.functions[index].open = p_;
         for (const auto& [parameter_name, type] : given) give_parameter(parameter_name, type);
         result_ = result;
+        written_.clear();
         const int around = emit(Op::jump);
         u_.functions[index].code = here();
         compound();
         u_.functions[index].code_end = emit(Op::back);
         land(around);
         u_.functions[index].close = p_ - 1;
+        for (std::size_t n = 0; n < u_.functions[index].parameters.size(); ++n)
+            u_.functions[index].parameters[n].written = written_.contains(names[n]);
     } else {
         accept(";");
     }

@@ -132,6 +132,7 @@ void Parser::convert(const Expression& e, const Type& due, Due why) {
 
 void Parser::note_write(const Expression& target, const Expression* value, std::string_view op) {
     bool color = false;
+    if (target.first >= 0) written_.insert(u_.at(target.first).text);
     if (!target.legacy.empty()) {
         u_.legacy_written.insert(target.legacy);
         color = target.legacy == "gl_FragColor" || target.legacy == "gl_FragData";
@@ -199,7 +200,7 @@ Expression Parser::assignment() {
         if (!plain && due.floating()) due = make_type(due.base, value.type.rows);
         if (op != "<<=" && op != ">>=") convert(value, due, plain ? Due::assignment : Due::operand);
         if (!plain) mark_division(nullptr, value, op.substr(0, 1));
-        if (plain) mark_kept(value, here());
+        if (plain || op == "*=") mark_kept(value, here());
         note_write(target, &value, op);
         emit(Op::assign, 0, op);
         target.step = here() - 1;
@@ -230,9 +231,11 @@ Expression Parser::ternary() {
         convert(b, make_type(base, b.type.rows), Due::operand);
         if (a.type.base < base) a.type = b.type;
     }
-    for (const Expression* arm : {&a, &b}) mark_kept(*arm, choice);
+    const bool constant = a.constant && b.constant && condition.constant;  // perhaps where GLSL wants a constant
+    for (const Expression* arm : {&a, &b})
+        if (!constant) mark_kept(*arm, choice);
     a.step = choice;
-    a.constant = a.constant && b.constant && condition.constant;
+    a.constant = constant;
     a.alpha_one = a.alpha_one && b.alpha_one;
     a.value.clear();
     a.first = condition.first;

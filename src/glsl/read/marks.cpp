@@ -86,6 +86,12 @@ void Parser::mark_product(const Expression& e, const Expression& a, const Expres
 // call is marked all the same: the unit's values are not settled then.
 void Parser::mark_kept(const Expression& e, int into, bool written) {
     if (!settles_ || e.first < 0 || e.last < e.first || (into < 0 && e.constant)) return;
+    if (e.type.dims > 0 || e.type.base == Base::structure) {
+        const auto made_of = constructed_.find(e.step);
+        if (made_of != constructed_.end())
+            for (const Expression& part : std::vector(made_of->second)) mark_kept(part, into, written);
+        if (made_of != constructed_.end() || !e.constant) return;  // what enters it otherwise is kept there
+    }
     const bool other = e.type.base == Base::sampler || e.type.base == Base::none;
     if (other || (into >= 0 && e.type.basic() && !e.type.floating())) return;
     if (written && kept_type(e.type))

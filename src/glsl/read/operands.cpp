@@ -342,6 +342,7 @@ Expression Parser::construction(const Type& type, int first) {
         for (const Expression& a : given) convert(a, element, Due::argument);
         if (e.type.size < 0) e.type.size = static_cast<std::int32_t>(given.size());
         emit(Op::construct, static_cast<int>(given.size()), {}, e.type);
+        if (settles_) constructed_[here() - 1] = given;
         return e;
     }
     emit(Op::construct, static_cast<int>(given.size()), {}, e.type);
@@ -351,6 +352,7 @@ Expression Parser::construction(const Type& type, int first) {
         const Struct& s = u_.structure(type);
         for (std::size_t n = 0; n < given.size() && n < s.members.size(); ++n)
             convert(given[n], s.members[n].type, Due::argument);
+        if (settles_) constructed_[here() - 1] = given;
         return e;
     }
     const std::size_t size = static_cast<std::size_t>(type.rows) * type.cols;

@@ -181,7 +181,9 @@ private:
     std::set<std::string_view> told_;                      // kinds of forgiveness: one warning each
     std::unordered_map<std::string_view, Type> foreseen_;  // results of functions defined further down
     std::vector<Leaving> leaving_;
-    Type result_;  // of the function being read
+    Type result_;                                                   // of the function being read
+    std::set<std::string_view> written_;                            // first tokens of what it writes to
+    std::unordered_map<int, std::vector<Expression>> constructed_;  // by step: what structures and arrays are made of
     std::unordered_map<std::string_view, Symbol> symbols_;
     std::vector<std::vector<std::pair<std::string_view, std::optional<Symbol>>>> undo_;
 };

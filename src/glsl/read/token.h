@@ -200,7 +200,8 @@ struct Block {
 struct Parameter {
     Type type;
     Storage storage = Storage::in;
-    int variable = -1;  // Code::variables
+    int variable = -1;     // Code::variables
+    bool written = false;  // or nobody knows
 };
 
 struct Function {

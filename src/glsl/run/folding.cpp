@@ -43,8 +43,14 @@ bool vanishes(double value, double a, double b) {
     return !std::isfinite(value) || std::abs(value) <= 1e-5 * std::max(std::abs(a), std::abs(b));
 }
 
+bool may_be_zero(const Fold& fold) { return !is_live(fold) && fold.zero; }
+
+// 0 times or by anything is 0 for a driver, even where NaN, if it finds the 0.
 Fold of_operator(std::string_view op, const Fold& a, const Fold& b) {
     Fold result = both(a, b, op == "*" ? a.zero || b.zero : op == "/" ? a.zero : true);
+    const bool either_way = op == "*" || op == "&" || op == "&&" || op == "||";
+    const bool first = op == "/" || op == "%" || op == "<<" || op == ">>";
+    if (((either_way || first) && may_be_zero(a)) || (either_way && may_be_zero(b))) result = constant(true);
     if (is_live(result) || std::isnan(a.value) || std::isnan(b.value) || op.size() != 1) return result;
     result.value = op == "+"   ? a.value + b.value
                    : op == "-" ? a.value - b.value
@@ -197,6 +203,7 @@ public:
     Fold of(int variable) const { return variable < 0 ? Fold{} : variables_[at(variable)]; }
 
     void follow() {
+        if (begun_.empty()) begun_ = variables_;
         do {
             changed_ = false;
             ++rounds_;
@@ -204,6 +211,26 @@ public:
         } while (changed_ && rounds_ < most_walks);
         if (changed_) results_.assign(results_.size(), {});  // nothing is known
     }
+    // Again from the start: what goes through `snell_value` is not found constant. Chooses the marks that are written
+    // so, of which none is needed for what another one hides already. False: it never ends.
+    bool hide() {
+        hidden_.assign(u_.marks.size(), false);
+        for (std::size_t n = 0; n < u_.marks.size(); ++n)
+            if (u_.marks[n].kind == Mark::Kind::kept) kept_[u_.marks[n].step].push_back(n);
+        variables_ = begun_;
+        results_of_.clear();
+        choosing_ = true;
+        rounds_ = 0;
+        follow();
+        choosing_ = false;
+        return !changed_;
+    }
+    void hide(const std::vector<bool>& hidden) {
+        hidden_ = hidden;
+        for (std::size_t n = 0; n < u_.marks.size(); ++n)
+            if (hidden_[n]) kept_[u_.marks[n].step].push_back(n);
+    }
+    const std::vector<bool>& hidden() const { return hidden_; }
     // Once more, with regard to the order: what a variable was last given in the text. Parameters keep what all calls
     // give them.
     void follow_in_order() {
@@ -241,11 +268,32 @@ private:
 
     void walk() {
         stack_.clear();
-        std::fill(given_.begin(), given_.end(), 0);
+        count_.assign(given_.size(), 0);
         for (const Function& f : u_.functions)
             for (const Parameter& p : f.parameters)
-                if (p.storage != Storage::in && p.variable >= 0) given_[at(p.variable)] = 2;
+                if (p.storage != Storage::in && p.variable >= 0) count_[at(p.variable)] = 2;
         for (std::size_t step = 0; step < u_.code.steps.size(); ++step) take(u_.code.steps[step], step);
+        given_ = count_;
+    }
+    // Whether a mark of the step's result is written as a call; -1: a zero of the instruction `into`.
+    bool hides(int step, int into, const Fold& fold) {
+        const auto marks = kept_.find(step);
+        if (marks == kept_.end()) return false;
+        bool any = false;
+        for (const std::size_t n : marks->second) {
+            const int one = u_.marks[n].one;
+            if (step < 0 && one != into) continue;
+            const bool now = choosing_ && !is_live(fold) && (one < 0 || one_of_several(one));
+            changed_ = changed_ || (now && !hidden_[n]);
+            if (now) hidden_[n] = true;
+            any = any || hidden_[n];
+        }
+        return any;
+    }
+    static Fold unseen(Fold fold) {
+        fold.kind = Kind::live, fold.zero = false;
+        fold.value = std::numeric_limits<double>::quiet_NaN();
+        return fold;
     }
     void know(Fold& known, const Fold& fold) {
         Fold now = either(known, fold);
@@ -257,7 +305,7 @@ private:
     void give(const Item& target, Fold fold, std::size_t step) {
         if (target.variable < 0) return;
         targets_[step] = target.variable;
-        given_[at(target.variable)] += target.whole ? 1 : 2;
+        count_[at(target.variable)] += target.whole ? 1 : 2;
         const Base base = u_.code.variables[at(target.variable)].base;
         if (fold.sure == Sure::number && (!target.whole || !u_.code.variables[at(target.variable)].scalar()))
             fold.sure = Sure::anything;
@@ -311,7 +359,10 @@ private:
             default:
                 value(i, step);
         }
-        if (!stack_.empty()) results_[step] = stack_.back().fold;
+        if (stack_.empty()) return;
+        results_[step] = stack_.back().fold;
+        if (!kept_.empty() && hides(static_cast<int>(step), -1, results_[step]))
+            stack_.back().fold = unseen(stack_.back().fold);
     }
 
     bool global(int variable) const { return ranges::count(u_.globals, variable, &Global::variable) > 0; }
@@ -323,6 +374,7 @@ private:
         Fold zero = constant(true);
         if (type.scalar()) zero.value = 0;
         zero.most = 0;
+        if (!kept_.empty() && hides(-1, static_cast<int>(step), zero)) zero = unseen(zero);
         give({{}, i.a}, type.scalar() ? give_number(zero, type.base, 0, true, 0) : zero, step);
     }
 
@@ -413,7 +465,8 @@ private:
             know_either(fold, a, b);
         }
         const bool told = !is_live(condition) || decided(condition);
-        if (told && !is_live(either(a, b))) fold.kind = Kind::constant, fold.zero = a.zero || b.zero;
+        const bool same_arms = !is_live(a) && !is_live(b) && !(a.value < b.value || a.value > b.value);
+        if (same_arms || (told && !is_live(either(a, b)))) fold.kind = Kind::constant, fold.zero = a.zero || b.zero;
         push(fold);
     }
 
@@ -463,6 +516,7 @@ private:
         constexpr std::string_view keep_zero[] = {"abs", "sqrt", "min",     "max",    "clamp",
                                                   "mix", "sign", "radians", "degrees"};
         result.zero = !is_live(result) && (result.zero || ranges::count(keep_zero, i.text) == 0);
+        if (folds(i.text, given)) result.kind = Kind::constant, result.zero = true;
         if (!is_live(result) && given.size() == 1 && !std::isnan(given[0].fold.value))
             compute(i.text, given[0], result);
         result.most = bound(i, given, result.most);
@@ -498,6 +552,13 @@ private:
         return texel || i.text.starts_with("texelFetch") ? 65504 : endless;
     }
 
+    // Whether some of the arguments give a number that a driver finds, whatever the others are.
+    static bool folds(std::string_view name, const std::vector<Item>& given) {
+        constexpr std::string_view products[] = {"dot", "cross", "fma", "outerProduct", "matrixCompMult", "mod", "mix"};
+        if (name == "pow") return ranges::any_of(given, [](const Item& item) { return !is_live(item.fold); });
+        return ranges::count(products, name) > 0 &&
+               ranges::any_of(given, [](const Item& item) { return may_be_zero(item.fold); });
+    }
     // Of a number, where the result is surely not 0.
     static void compute(std::string_view name, const Item& given, Fold& result) {
         constexpr std::pair<std::string_view, double (*)(double)> rows[] = {
@@ -543,7 +604,7 @@ private:
                 if (f.parameters[k].storage != Storage::in && given[k].variable >= 0) {
                     Fold fold = of(variable);
                     if (!given[k].whole && fold.sure == Sure::number) fold.sure = Sure::anything;
-                    given_[at(given[k].variable)] += 2;
+                    count_[at(given[k].variable)] += 2;
                     know(variables_[at(given[k].variable)], fold);
                 }
             }
@@ -574,21 +635,26 @@ private:
     const Unit& u_;
     std::vector<Fold> variables_;  // by Code::variables
     std::vector<Fold> results_;    // by instruction, as of the last round
+    std::vector<Fold> begun_;      // variables_ before the first round
     std::vector<int> given_;       // by Code::variables: how often it is given something; 2: often
+    std::vector<int> count_;       // the same, of this round so far
+    std::vector<bool> hidden_;     // by Unit::marks
     std::vector<Item> stack_;
     std::set<int> outside_;                   // variables whose values come from outside
     std::map<std::size_t, int> targets_;      // by instruction: the variable that it gives something to
     std::map<std::size_t, Fold> conditions_;  // of Op::choose
     std::map<std::size_t, Fold> results_of_;  // by Unit::functions
     std::uint64_t signs_ = 0;
-    bool changed_ = false, in_order_ = false;
+    std::map<int, std::vector<std::size_t>> kept_;  // by instruction: marks of its result; -1: of zeros
+    bool changed_ = false, in_order_ = false, choosing_ = false;
     int rounds_ = 0;
 };
 
-// Of a stage whose code is whole.
+// Of a stage whose code is whole. `hidden`: the marks that are written as calls, of Unit::marks; null: not known yet.
 Follower followed(const Unit& unit, const std::map<std::string_view, Fold>& settled,
-                  std::map<std::string_view, Fold>& passed) {
+                  std::map<std::string_view, Fold>& passed, const std::vector<bool>* hidden = nullptr) {
     Follower follower(unit);
+    if (hidden) follower.hide(*hidden);
     for (const Global& g : unit.globals) {
         const Storage storage = g.qualifiers.storage;
         const auto& known = storage == Storage::uniform ? settled : passed;
@@ -626,12 +692,13 @@ struct Kept {
 Kept kept(const Unit& unit, const std::map<std::string_view, Fold>& free) {
     Kept out{false, std::vector<bool>(unit.marks.size())};
     std::map<std::string_view, Fold> nothing_passed;
-    const Follower follower = followed(unit, free, nothing_passed);
+    Follower follower = followed(unit, free, nothing_passed);
     const auto constant = [&](int step) { return step < 0 || !is_live(follower.result(step)); };
     out.possible = ranges::any_of(unit.marks, [&](const Mark& mark) {
         const bool decides = mark.kind == Mark::Kind::decision || mark.kind == Mark::Kind::weight;
         return decides && mark.step >= 0 && follower.result(mark.step).from != 0;
     });
+    out.possible = out.possible && follower.hide();
     for (std::size_t n = 0; out.possible && n < unit.marks.size(); ++n) {
         const Mark& mark = unit.marks[n];
         if (mark.kind == Mark::Kind::divisor) {
@@ -639,7 +706,7 @@ Kept kept(const Unit& unit, const std::map<std::string_view, Fold>& free) {
             out.stay[n] = constant(mark.step) && (base == Base::integer || base == Base::uinteger);
         }
         if (mark.kind != Mark::Kind::kept) continue;
-        out.stay[n] = constant(mark.step) && (mark.one < 0 || follower.one_of_several(mark.one));
+        out.stay[n] = mark.step < 0 ? mark.one < 0 || follower.one_of_several(mark.one) : follower.hidden()[n];
         if (out.stay[n] && mark.last < 0) return {false, std::vector<bool>(unit.marks.size())};
     }
     return out;
@@ -666,7 +733,9 @@ private:
         out_.from |= fold.from;
     }
     // What a compiler folds in every form is left to it.
-    bool finite(int step) const { return step >= 0 && of(step).most < largest && is_live(of(step)); }
+    bool finite(int step) const { return step >= 0 && number(step) && is_live(of(step)); }
+    // mix(a, b, 0) is a + 0 * (b - a), which is not a if a is infinite.
+    bool number(int step) const { return of(step).most < largest; }
     void decide(std::size_t n) {
         const Mark& mark = u_.marks[n];
         const Fold none;
@@ -674,9 +743,11 @@ private:
         const bool known = fold.sure == Sure::number && fold.from != 0;
         if (mark.kind == Mark::Kind::decision && known && (fold.base != Base::real || fold.exact)) write(n, fold);
         if (mark.kind == Mark::Kind::weight && known && fold.exact && (fold.from & signs_) == 0 &&
-            ((fold.number == 0 && finite(mark.one)) || (fold.number == 1 && finite(mark.other)))) {
+            ((fold.number == 0 && finite(mark.one) && (mark.other < 0 || number(mark.other))) ||
+             (fold.number == 1 && finite(mark.other)))) {
             write(n, fold);
-            out_.from |= of(fold.number == 0 ? mark.one : mark.other).from;
+            for (const int step : {mark.one, mark.other})
+                if (step >= 0 && (fold.number == 0 || step == mark.other)) out_.from |= of(step).from;
         }
         if (mark.kind == Mark::Kind::product)
             out_.stay[n] =
@@ -738,8 +809,9 @@ Decided decide(const Unit& unit, const std::map<std::string_view, Fold>& settled
         out.text.resize(out.stay.size());
         return out;
     }
-    Follower follower = followed(unit, settled, passed);
-    Decided out = Decider(unit, follower, signs).run(kept(unit, free));
+    const Kept known = kept(unit, free);
+    Follower follower = followed(unit, settled, passed, &known.stay);
+    Decided out = Decider(unit, follower, signs).run(known);
     if (ranges::count(unit.marks, Mark::Kind::divisor, &Mark::kind) == 0) return out;
     follower.follow_in_order();
     for (std::size_t n = 0; n < out.stay.size(); ++n) {
