@@ -47,7 +47,7 @@ std::vector<std::size_t> widths(const Table& table, std::size_t columns) {
     std::size_t left = columns - std::min(columns, gap * table.columns.size());
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::size_t width = longest_word(table.columns[i].name);
-        for (const Table::Row& row : table.rows) width = std::max(width, width_of(utf8::printable(row.cells[i])));
+        for (const Table::Row& row : table.rows) width = std::max(width, width_of(utf8::printable(row.cells[i].text)));
         if (table.columns[i].kind == CellKind::number)
             left -= std::min(left, width);
         else
@@ -64,12 +64,12 @@ std::vector<std::size_t> widths(const Table& table, std::size_t columns) {
 }
 
 // The cells of a row, each broken into lines; headings stand on the last line.
-std::string lines_text(const Table& table, const std::vector<std::string>& cells,
+std::string lines_text(const Table& table, const std::vector<Table::Cell>& cells,
                        const std::vector<std::size_t>& widths, char mark, bool heading) {
     std::vector<std::vector<std::string>> lines;
     std::size_t height = 1;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        lines.push_back(wrapped(cells[i], widths[i]));
+        lines.push_back(wrapped(cells[i].text, widths[i]));
         height = std::max(height, lines.back().size());
     }
     std::string text;
@@ -117,7 +117,7 @@ std::string cell_csv(std::string_view text, CellKind kind) {
 
 Table& Table::without_empty() {
     for (std::size_t i = columns.size(); i-- > 0;) {
-        if (std::any_of(rows.begin(), rows.end(), [i](const Row& row) { return !row.cells[i].empty(); })) continue;
+        if (std::any_of(rows.begin(), rows.end(), [i](const Row& row) { return !row.cells[i].text.empty(); })) continue;
         const auto at = static_cast<std::ptrdiff_t>(i);
         columns.erase(columns.begin() + at);
         for (Row& row : rows) row.cells.erase(row.cells.begin() + at);
@@ -152,26 +152,32 @@ std::string paragraph(std::string_view text, std::size_t indent, std::size_t col
 
 std::string table_text(const Table& table, std::size_t columns) {
     const std::vector<std::size_t> wide = widths(table, columns);
-    std::vector<std::string> names;
-    for (const Table::Column& column : table.columns) names.push_back(column.name);
+    std::vector<Table::Cell> names;
+    for (const Table::Column& column : table.columns) names.emplace_back(column.name);
     std::string text = lines_text(table, names, wide, ' ', true);
     for (const Table::Row& row : table.rows) text += lines_text(table, row.cells, wide, row.marked ? '*' : ' ', false);
     return text;
 }
 
 std::string table_html(const Table& table) {
-    std::string text = "<div class=\"scroll\"><table><tr>";
-    for (const Table::Column& column : table.columns)
-        text += fmt::format("<th class=\"{}\">{}</th>", class_of(column.kind), escaped(column.name));
-    text += "</tr>";
+    std::string text = "<div class=\"scroll\"><table><thead><tr>";
+    for (const Table::Column& column : table.columns) {
+        const std::string name = cell_html(column.name, CellKind::words);
+        text += fmt::format("<th class=\"{}\" scope=\"col\">{}{}</th>", class_of(column.kind),
+                            table.sortable ? "<button>" + name + "</button>" : name,
+                            column.note.empty() ? "" : fmt::format("<br><small>{}</small>", escaped(column.note)));
+    }
+    text += "</tr></thead><tbody>";
     for (const Table::Row& row : table.rows) {
         text += row.marked ? "<tr class=\"current\">" : "<tr>";
         for (std::size_t i = 0; i < row.cells.size(); ++i)
-            text += fmt::format("<td class=\"{}\">{}</td>", class_of(table.columns[i].kind),
-                                cell_html(row.cells[i], table.columns[i].kind));
+            text += fmt::format(
+                "<td class=\"{}{}{}\"{}>{}</td>", class_of(table.columns[i].kind), row.cells[i].css.empty() ? "" : " ",
+                row.cells[i].css, row.cells[i].attributes,
+                row.cells[i].html.empty() ? cell_html(row.cells[i].text, table.columns[i].kind) : row.cells[i].html);
         text += "</tr>";
     }
-    return text + "</table></div>";
+    return text + "</tbody></table></div>";
 }
 
 std::string table_markdown(const Table& table) {
@@ -184,7 +190,7 @@ std::string table_markdown(const Table& table) {
     for (const Table::Row& row : table.rows) {
         text += "|";
         for (std::size_t i = 0; i < row.cells.size(); ++i) {
-            const std::string cell = cell_markdown(table.columns[i], row.cells[i]);
+            const std::string cell = cell_markdown(table.columns[i], row.cells[i].text);
             const bool bold = row.marked && i == 0;
             text += fmt::format(" {0}{1}{0}{2}|", bold ? "**" : "", cell, cell.empty() ? "" : " ");
         }
@@ -201,7 +207,7 @@ std::string table_csv(const Table& table) {
     };
     add(table.columns, [&](std::size_t i) { return cell_csv(table.columns[i].name, CellKind::words); });
     for (const Table::Row& row : table.rows)
-        add(row.cells, [&](std::size_t i) { return cell_csv(row.cells[i], table.columns[i].kind); });
+        add(row.cells, [&](std::size_t i) { return cell_csv(row.cells[i].text, table.columns[i].kind); });
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace snell::content {
@@ -18,13 +19,24 @@ struct Table {
     struct Column {
         std::string name;  // with its unit
         CellKind kind = CellKind::number;
+        std::string note = {};  // below its name, where HTML shows it
+    };
+    struct Cell {
+        std::string text;
+        std::string html = {};        // what HTML has in its place; empty: the text
+        std::string css = {};         // a class in HTML
+        std::string attributes = {};  // in HTML, such as " title=\"…\""
+
+        Cell(std::string words) : text(std::move(words)) {}
+        Cell(const char* words) : text(words) {}
     };
     struct Row {
-        std::vector<std::string> cells;
+        std::vector<Cell> cells;
         bool marked = false;
     };
     std::vector<Column> columns;
     std::vector<Row> rows;
+    bool sortable = false;  // in HTML, names of columns are buttons
 
     // Leaves out the columns that are empty in all rows.
     Table& without_empty();

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "src/content/image/reduced.h"
+
 #include "tests/accuracy/pictures.h"
 
 namespace snell::test {
@@ -56,29 +58,23 @@ TEST(SlideCrops, MapIsThatOfTheWholePicture) {
     }
 }
 
-TEST(SlideCrops, ColorsOfMapsBecomeLighter) {
-    double before = -1;
-    for (int i = 0; i <= 20; ++i) {
-        const auto color = map_color(i / 20.);
-        const double light = .2126 * color[0] + .7152 * color[1] + .0722 * color[2];
-        EXPECT_GT(light, before);
-        before = light;
-    }
-    EXPECT_LT(map_color(0)[1], 10);
-    EXPECT_GT(before, 230);
-    EXPECT_EQ(map_color(7), map_color(1));
+TEST(SlideCrops, AreTheirPixels) {
+    Picture picture = flat(5, 4, .25F);
+    picture.rgba[4 * (2 * 5 + 3) + 1] = 7;
+    picture.rgba[4 * (2 * 5 + 3) + 2] = std::nanf("");
+    const content::Image image = crop(picture, {2, 1, 3, 2});
+    ASSERT_EQ(image.pixels.size(), 3U * 6U);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        EXPECT_EQ(std::to_integer<int>(image.pixels[i]), i == 3 * 4 + 1 ? 255 : i == 3 * 4 + 2 ? 0 : 64) << i;
 }
 
-TEST(SlideCrops, MagnifiedPixelsAreSquares) {
-    const Raster raster{2, 1, {1, 2, 3, 4, 5, 6}};
-    const Raster large = magnified(raster, 7, 9);
-    EXPECT_EQ(large.width, 6);
-    EXPECT_EQ(large.height, 3);
-    for (std::size_t i = 0; i < 18; ++i) EXPECT_EQ(large.rgb[3 * i], i % 6 < 3 ? 1 : 4);
-    const Raster small = reduced(flat(100, 50, .5F), 20, 20);
+TEST(SlideCrops, SmallerPicturesAreMeans) {
+    const auto checks = [](int x, int y, std::size_t) { return (x + y) % 2; };
+    const content::Image small = content::reduced(100, 50, 20, 20, checks);
     EXPECT_EQ(small.width, 20);
     EXPECT_EQ(small.height, 10);
-    EXPECT_EQ(small.rgb[5], 128);
+    for (const std::byte value : small.pixels) EXPECT_NEAR(std::to_integer<int>(value), 128, 6);
+    EXPECT_EQ(content::reduced(7, 3, 20, 20, checks).width, 7) << "nothing is made larger";
 }
 
 }  // namespace

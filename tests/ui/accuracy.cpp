@@ -1,6 +1,7 @@
 // The accuracy panel and the list of costs, judged by what becomes of the input and by the colours and numbers shown.
 #include "src/ui/panels/accuracy.h"
 
+#include "src/content/image/reduced.h"
 #include "src/ui/panels/panels.h"
 #include "tests/ui/screen.h"
 
@@ -178,14 +179,16 @@ TEST_F(AccuracyPanel, ColumnsAreHeaded) {
 TEST(Heat, GetsLighterAllTheWay) {
     double last = -1;
     for (int i = 0; i <= 100; ++i) {
-        const Heat color = heat(i / 100.);
-        const double luminance = .2126 * color.red + .7152 * color.green + .0722 * color.blue;
+        const auto [red, green, blue] = content::heat(i / 100.);
+        const double luminance = .2126 * red + .7152 * green + .0722 * blue;
         EXPECT_GT(luminance, last) << i;
         last = luminance;
     }
-    EXPECT_EQ(heat(-1).red, heat(0).red);
-    EXPECT_EQ(heat(2).red, heat(1).red);
-    EXPECT_EQ(heat(NAN).green, heat(1).green) << "what is no number is as wrong as can be";
+    EXPECT_EQ(content::heat(-1), content::heat(0));
+    EXPECT_EQ(content::heat(2), content::heat(1));
+    EXPECT_EQ(content::heat(NAN), content::heat(1)) << "what is no number is as wrong as can be";
+    EXPECT_LT(content::heat(0)[1], .04);
+    EXPECT_GT(last, .9);
 }
 
 TEST(Texts, OfPicturesThatAreNotFiniteDoNotSayThatNothingDiffers) {

@@ -168,7 +168,7 @@ constexpr Column columns[]{
 };
 
 void add_row(content::Table& table, const Row& row) {
-    std::vector<std::string>& cells = table.rows.emplace_back().cells;
+    auto& cells = table.rows.emplace_back().cells;
     for (const Column& column : columns) {
         const bool known = column.when == Column::When::always || (column.when == drawn && row.rung.drawn) ||
                            (column.when == timed && row.timed());

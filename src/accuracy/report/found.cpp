@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/table.h"
 #include "src/document/save_values.h"
@@ -329,7 +328,7 @@ std::string found_html(const FoundResult& found) {
     std::string text =
         fmt::format("<section><h2>Found rungs</h2><p class=\"words\">{}</p>", content::escaped(found_words(found)));
     if (found.timed.rungs.size() > 1 && found.timed.rungs.back().rounds > 0)
-        text += "<div class=\"scroll\">" + plot_svg(found.timed) + "</div>";
+        text += "<div class=\"scroll\">" + plot_html(found.timed) + "</div>";
     for (const Part& part : parts_of(found)) {
         const std::string table = content::table_html(table_of(found, part.rungs));
         const std::string heading = content::escaped(part.heading);

@@ -6,9 +6,9 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/report/found.h"
-#include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
-#include "src/content/image/image.h"
+#include "src/content/html_page.h"
+#include "src/content/image/reduced.h"
 #include "src/content/text_forms.h"
 
 namespace snell::accuracy {
@@ -16,58 +16,34 @@ namespace snell::accuracy {
 namespace {
 
 constexpr std::string_view style = R"(
-:root{color-scheme:light dark;--back:#fff;--text:#1b1f24;--weak:#59636e;--line:#d5dae0;--accent:#0b5cad;--current:#c2410c;--wrong:#b91c1c;--panel:#f6f8fa}
-@media (prefers-color-scheme:dark){:root{--back:#12161b;--text:#e6e9ed;--weak:#9aa5b1;--line:#333b45;--accent:#6cb2ff;--current:#ff9a5c;--wrong:#ff7b7b;--panel:#1a2027}}
-*{box-sizing:border-box}
-body{margin:0 auto;max-width:1200px;padding:1rem;font:16px/1.5 system-ui,sans-serif;background:var(--back);color:var(--text)}
-h1{font-size:1.5rem;margin:.2em 0}h2{font-size:1.2rem;margin:0 0 .3em}
+body { max-width: 1200px; } h2 { margin: 0 0 .3em; }
 section{border-top:1px solid var(--line);padding:1.2rem 0}
 .facts{color:var(--weak);font-size:.9rem}.words{max-width:46em}
-.noisy{color:var(--wrong);font-weight:600}
 .slide{width:100%;min-width:600px;height:auto;display:block}
 .plot{width:100%;min-width:600px;max-width:760px;height:auto;display:block}
-.plot text{font:11px system-ui,sans-serif;fill:var(--text)}.plot .tick,.plot .title{fill:var(--weak)}.plot .title{font-size:12px}
-.grid,.edge{stroke:var(--line)}.axis,.whisker{stroke:var(--weak)}.leader{stroke:var(--line)}
-.front{fill:none;stroke:var(--accent);stroke-width:1.6}
-.solid{fill:var(--accent);stroke:var(--accent)}.hollow{fill:var(--back);stroke:var(--accent);stroke-width:1.5}
-.solid.current{fill:var(--current);stroke:var(--current)}.hollow.current{stroke:var(--current)}
-.grey,.weak{opacity:.6}.wrong{stroke:var(--wrong)}.step{stroke:var(--weak);stroke-dasharray:4 3}
-.plot .stamp{fill:var(--wrong);font-weight:700}
-.scroll{overflow-x:auto}
-table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums}
+table{font-size:.85rem;font-variant-numeric:tabular-nums}
 th,td{padding:.25em .5em;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
-th{color:var(--weak);font-weight:600;vertical-align:bottom}.number{text-align:right}td.number{white-space:nowrap}
+th{color:var(--weak);font-weight:600;vertical-align:bottom}.number{text-align:right}
 td.words{overflow-wrap:anywhere;min-width:7em}
 tr.current td:first-child{color:var(--current);font-weight:700}
 summary{cursor:pointer;color:var(--accent);margin:.6rem 0}
-.pictures{display:flex;flex-wrap:wrap;gap:.8rem;margin-top:1rem}
-figure{margin:0;background:var(--panel);padding:.4rem;border-radius:4px}
+figure{background:var(--panel);padding:.4rem;border-radius:4px}
 figure img{width:144px;height:auto;display:inline-block;image-rendering:auto;vertical-align:top}
-figcaption{font-size:.8rem;max-width:292px;overflow-wrap:anywhere}
+figcaption{font-size:.8rem;max-width:292px}
 @media (max-width:480px){body{padding:.6rem}figure img{width:45%}figcaption{max-width:none}figure{width:100%}}
 @media print{:root{--back:#fff;--text:#000;--weak:#444;--line:#bbb;--accent:#000;--current:#a00;--panel:#fff}body{max-width:none;font-size:11px}section{break-inside:avoid}.scroll{overflow:visible}.plot{min-width:0;max-width:16cm}}
 )";
 
 constexpr int thumbnail_width = 192;
 
-// Box-filters to the width of a thumbnail; `value` computes the three components of a pixel.
+// `value` computes the three components of a pixel.
 template <class Value>
-std::string thumbnail(int width, int height, const Value& value) {
-    const int step = std::max(1, (width + thumbnail_width - 1) / thumbnail_width), rows = std::min(step, height);
-    content::Image image{.width = width / step, .height = std::max(1, height / step), .channels = 3};
-    image.pixels.resize(image.bytes());
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x)
-            for (std::size_t c = 0; c < 3; ++c) {
-                double sum = 0;
-                for (int j = 0; j < rows; ++j)
-                    for (int i = 0; i < step; ++i)
-                        sum += value(static_cast<std::size_t>((y * step + j) * width + x * step + i), c);
-                const double mean = std::clamp(sum / (step * rows), 0.0, 1.0);
-                image.pixels[static_cast<std::size_t>(y * image.width + x) * 3 + c] =
-                    static_cast<std::byte>(std::lround(255 * (mean > 0 ? mean : 0)));
-            }
-    return "data:image/png;base64," + content::base64(content::encode_png(image));
+std::string thumbnail(const Picture& picture, const Value& value) {
+    const auto at = [&](int x, int y, std::size_t c) {
+        return value(static_cast<std::size_t>(y * picture.width + x), c);
+    };
+    return "data:image/png;base64," + content::base64(content::encode_png(content::reduced(
+                                          picture.width, picture.height, thumbnail_width, picture.height, at)));
 }
 
 // Prevents overexposure of the bright parts of the reference; dark pictures stay dark.
@@ -101,10 +77,9 @@ std::string pictures(const SweepResult& sweep) {
         if (!rung.drawn) continue;
         const std::vector<float>& a = rung.picture.rgba;
         const auto finite = [](float v) { return std::isfinite(v) ? static_cast<double>(v) : 0.0; };
-        const std::string shown = thumbnail(rung.picture.width, rung.picture.height, [&](std::size_t p, std::size_t c) {
-            return bright * finite(a[4 * p + c]);
-        });
-        const std::string off = thumbnail(rung.picture.width, rung.picture.height, [&](std::size_t p, std::size_t c) {
+        const std::string shown =
+            thumbnail(rung.picture, [&](std::size_t p, std::size_t c) { return bright * finite(a[4 * p + c]); });
+        const std::string off = thumbnail(rung.picture, [&](std::size_t p, std::size_t c) {
             const float x = a[4 * p + c], y = reference.rgba[4 * p + c];
             return std::isfinite(x) == std::isfinite(y) ? factor * bright * std::abs(finite(x) - finite(y)) : 1;
         });
@@ -121,7 +96,7 @@ std::string section(const SweepResult& sweep) {
     const bool timed = ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
     std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", content::escaped(sweep.sweep.name),
                                   content::escaped(in_words(sweep)));
-    if (timed) out += "<div class=\"scroll\">" + plot_svg(sweep) + "</div>";
+    if (timed) out += "<div class=\"scroll\">" + plot_html(sweep) + "</div>";
     out += content::table_html(rung_table(sweep));
     out += fmt::format("<p class=\"facts\">{}, errors {}; {}.{}{}</p>", content::escaped(sweep.scene), area_text(sweep),
                        content::escaped(sweep.reference_note),
@@ -151,11 +126,7 @@ std::string unmeasured_html(const Report& report) {
 
 std::string html_text(const Report& report, std::string_view slide) {
     const Circumstances& w = report.where;
-    std::string out = fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-        "content=\"width=device-width,initial-scale=1\"><title>Accuracy and cost: {}</title><link rel=\"icon\" "
-        "href=\"data:,\"><style>{}</style></head>\n<body><h1>Accuracy and cost</h1>",
-        content::escaped(w.scene), style);
+    std::string out = "<h1>Accuracy and cost</h1>";
     if (!slide.empty()) out += fmt::format("<div class=\"scroll\">{}</div>", slide);
     out += fmt::format(
         "<p class=\"facts\">{} · {} × {}, up to {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, "
@@ -181,7 +152,7 @@ std::string html_text(const Report& report, std::string_view slide) {
     out += unmeasured_html(report);
     for (const std::string& problem : report.problems)
         out += fmt::format("<p class=\"facts\">{}</p>", content::escaped(problem));
-    return out + "</body></html>\n";
+    return content::html_page({.title = "Accuracy and cost: " + w.scene, .body = out, .style = style});
 }
 
 }  // namespace snell::accuracy

@@ -91,7 +91,9 @@ std::string json_text(const Report& report);
 std::string html_text(const Report& report, std::string_view slide = {});
 // A page of Markdown; `plots` has the paths of the plots of plots_of().
 std::string markdown_text(const Report& report, const std::vector<std::string>& plots);
-// A plot for use in a paper: black on a transparent background, with its own fonts and sizes.
+// The plot of error over time, an <svg> element in the colours of that page.
+std::string plot_html(const SweepResult& sweep);
+// The same for use in a paper: black on a transparent background.
 std::string svg_text(const SweepResult& sweep);
 
 // Numbers and errors as JSON.

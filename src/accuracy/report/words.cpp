@@ -7,7 +7,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/report/found.h"
-#include "src/accuracy/report/plot.h"
 #include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {

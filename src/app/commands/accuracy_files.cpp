@@ -61,15 +61,6 @@ std::string link_from(const std::string& page, const std::string& file) {
     return std::filesystem::proximate(file, folder.empty() ? "." : folder, error).generic_string();
 }
 
-// The page is written without the slide if that can't be drawn.
-bool write_html(const std::string& path, const Report& report, const Slide& slide) {
-    if (path.empty()) return true;
-    std::string wrong;
-    const std::string element = slide_element(slide, wrong);
-    if (!wrong.empty()) fmt::print(stderr, "snell: warning: the report has no slide: {}\n", utf8::printable(wrong));
-    return write_text(path, html_text(report, element));
-}
-
 bool write_slide(const std::string& path, const Slide& slide) {
     if (path.empty()) return true;
     const SlideFile file = draw_slide(slide, slide_format(path).value_or(SlideFormat::png));
@@ -150,7 +141,8 @@ bool write_reports(const AccuracyOptions& options, const Report& report) {
     written = write_text(options.json, json_text(report)) && written;
     if (!options.html.empty() || !options.slide.empty()) {
         const Slide slide = slide_of(report);
-        written = write_html(options.html, report, slide) && written;
+        written =
+            (options.html.empty() || write_text(options.html, html_text(report, slide_element(slide)))) && written;
         written = write_slide(options.slide, slide) && written;
     }
     const std::vector<const SweepResult*> plotted = plots_of(report);

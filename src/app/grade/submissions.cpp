@@ -17,8 +17,8 @@
 #include "src/app/grade/unpack.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/version.h"
-#include "src/app/picture/outputs.h"
 #include "src/content/files.h"
+#include "src/content/html_page.h"
 #include "src/content/load_module.h"
 #include "src/content/regular_file.h"
 #include "src/document/document.h"
@@ -195,7 +195,7 @@ void add_files(const fs::path& path, std::string& all) {
         std::string wrong;
         const auto bytes = content::read_regular_file(file, most, nullptr, wrong);
         // Of larger files the size and the time of the last change stand for the bytes.
-        const std::string hash = bytes ? sha256(*bytes)
+        const std::string hash = bytes ? content::sha256(*bytes)
                                        : fmt::format("{} {}", fs::file_size(file, error),
                                                      fs::last_write_time(file, error).time_since_epoch().count());
         all += fs::path(file).lexically_relative(path).string() + '\0' + hash + '\0';
@@ -255,7 +255,7 @@ std::optional<Submissions> find_submissions(const std::vector<std::string>& argu
             const std::string problem = problem_of(path, known), name = shown_name(path);
             const std::string judged = problem.empty() ? fs::weakly_canonical(path, error).string() : path.string();
             known.emplace(judged, name);
-            found.all.push_back({judged, name, {}, sha256(judged).substr(0, 6), problem});
+            found.all.push_back({judged, name, {}, content::sha256(judged).substr(0, 6), problem});
         }
     if (found.all.empty()) {
         complain("there is nothing to grade", "name folders, archives or scenes, or one folder that holds them");
@@ -271,10 +271,10 @@ std::optional<Submissions> find_submissions(const std::vector<std::string>& argu
 std::string key_of(const Submission& submission, const std::string& rest) {
     std::string all = rest + submission.problem;
     const fs::path path = submission.path;
-    if (!submission.problem.empty()) return sha256(all);
+    if (!submission.problem.empty()) return content::sha256(all);
     if (is_scene(path)) all += path.filename().string() + '\0';
     add_files(is_scene(path) && fs::is_regular_file(path) ? path.parent_path() : path, all);
-    return sha256(all);
+    return content::sha256(all);
 }
 
 std::string common_key(const Rubric& rubric, const std::string& limits) {
@@ -282,7 +282,7 @@ std::string common_key(const Rubric& rubric, const std::string& limits) {
     if (!rubric.reference.empty())
         for (const std::string& file : files_read_by(rubric.reference, {})) add_files(file, all);
     for (const std::string& path : rubric.shared) add_files(path, all);
-    return sha256(all);
+    return content::sha256(all);
 }
 
 }  // namespace snell::app

@@ -233,14 +233,6 @@ std::string web_file(const std::string& name, std::string& error) {
     return {};
 }
 
-std::string policy_hash(std::string_view text) {
-    const std::string hex = sha256(text);
-    std::string bytes;
-    for (std::size_t at = 0; at < hex.size(); at += 2)
-        bytes += static_cast<char>(std::strtol(hex.substr(at, 2).c_str(), nullptr, 16));
-    return content::base64(bytes);
-}
-
 std::string script_json(const nlohmann::ordered_json& json) {
     std::string safe;
     for (const char c : json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))

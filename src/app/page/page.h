@@ -64,9 +64,6 @@ std::string web_file(const std::string& name, std::string& error);
 // JSON that may stand in a script element.
 std::string script_json(const nlohmann::ordered_json& json);
 
-// Of a script or style, as a Content-Security-Policy names it: SHA-256 in base64.
-std::string policy_hash(std::string_view text);
-
 struct PageData {
     std::string title;
     std::string scene;    // script_json()

@@ -82,8 +82,4 @@ private:
     std::vector<std::thread> threads_;
 };
 
-// SHA-256 (FIPS 180-4), formatted as by sha256sum.
-
-std::string sha256(std::string_view bytes);
-
 }  // namespace snell::app

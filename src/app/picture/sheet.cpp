@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/content/image/reduced.h"
 #include "src/ui/kit/lettering.h"
 
 namespace snell::app {
@@ -43,28 +44,14 @@ void place(content::Image& sheet, const content::Image& tile, int x, int y) {
 }  // namespace
 
 content::Image thumbnail(const content::Image& picture, bool light) {
-    const double scale = std::min(1., static_cast<double>(largest) / std::max(picture.width, picture.height));
-    content::Image result = blank(std::max(1, static_cast<int>(std::lround(picture.width * scale))),
-                                  std::max(1, static_cast<int>(std::lround(picture.height * scale))), 0);
-    const auto edge = [](int i, int size, int of) { return static_cast<std::size_t>(std::int64_t{i} * of / size); };
     const auto channels = static_cast<std::size_t>(picture.channels);
-    std::size_t out = 0;
-    for (int y = 0; y < result.height; ++y)
-        for (int x = 0; x < result.width; ++x)
-            for (std::size_t channel = 0; channel < 3; ++channel, ++out) {
-                const std::size_t from = channels < 3 ? 0 : channel;  // a picture with one or two channels is grey
-                double sum = 0, count = 0;
-                for (auto v = edge(y, result.height, picture.height); v < edge(y + 1, result.height, picture.height);
-                     ++v)
-                    for (auto u = edge(x, result.width, picture.width); u < edge(x + 1, result.width, picture.width);
-                         ++u, ++count) {
-                        const double value = static_cast<double>(content::value_at(
-                            picture, (v * static_cast<std::size_t>(picture.width) + u) * channels + from));
-                        sum += light ? content::srgb_of_light(value) : value;
-                    }
-                result.pixels[out] = static_cast<std::byte>(std::lround(sum > 0 ? std::min(sum / count, 1.) * 255 : 0));
-            }
-    return result;
+    return content::reduced(picture.width, picture.height, largest, largest, [&](int x, int y, std::size_t channel) {
+        const auto pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
+        // A picture with one or two channels is grey.
+        const double value = content::value_at(picture, pixel * channels + (channels < 3 ? 0 : channel));
+        return light ? content::srgb_of_light(value) : value;
+    });
 }
 
 content::Image contact_sheet(const std::vector<Tile>& tiles, std::size_t columns, bool labels) {

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "src/content/image/reduced.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/frame_cost.h"
@@ -64,10 +65,10 @@ void legend() {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     constexpr int steps = 48;
     for (int i = 0; i < steps; ++i) {
-        const Heat color = heat((static_cast<float>(i) + .5F) / steps);
+        const auto [red, green, blue] = content::heat((static_cast<float>(i) + .5F) / steps);
         list.AddRectFilled({at.x + width * static_cast<float>(i) / steps, at.y},
                            {at.x + width * static_cast<float>(i + 1) / steps, at.y + height},
-                           pack({color.red, color.green, color.blue, 1}));
+                           pack({red, green, blue, 1}));
     }
     ImGui::Dummy({width, height});
     constexpr std::array<const char*, 4> ends{"\u2264 .001", ".01", ".1", "\u2265 1"};
@@ -229,19 +230,6 @@ std::string standing_text(const AccuracyPoint& point) {
             break;
     }
     return {};
-}
-
-// Interpolates five colours, each lighter than the one before.
-Heat heat(double fraction) {
-    constexpr std::array<Heat, 5> colors{
-        {{0, 0, .02F}, {.32F, .07F, .48F}, {.72F, .21F, .47F}, {.99F, .55F, .38F}, {.99F, .99F, .75F}}};
-    const double at = std::isnan(fraction) ? 4 : std::clamp(fraction, 0.0, 1.0) * 4;
-    const auto index = std::min(static_cast<std::size_t>(at), colors.size() - 2);
-    const float part = static_cast<float>(at - static_cast<double>(index));
-    const auto mix = [&](float Heat::*channel) {
-        return colors[index].*channel * (1 - part) + colors[index + 1].*channel * part;
-    };
-    return {mix(&Heat::red), mix(&Heat::green), mix(&Heat::blue)};
 }
 
 void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {

@@ -59,12 +59,6 @@ struct AccuracyMemory {
 
 // The range of errors that the heat map distinguishes, from black to white, as powers of ten.
 inline constexpr double coldest = -3, hottest = 0;
-// The heat map's colour for a fraction 0..1, from black over violet and orange to nearly white. A darker colour always
-// means less.
-struct Heat {
-    float red = 0, green = 0, blue = 0;
-};
-Heat heat(double fraction);
 
 // Plots the ladder that was changed since the last frame. Call it in every frame, whether the panel is in sight or not.
 void follow_ladder(const Rungs& rungs, AccuracyMemory& memory);

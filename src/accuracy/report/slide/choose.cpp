@@ -9,11 +9,13 @@ namespace snell::accuracy {
 
 namespace {
 
+using content::PlotPoint;
+
 constexpr double equal_times = .25, equal_errors = 1.1, different_errors = 1.02, invisible_flip = .02;
 constexpr std::size_t most_equals = 2;  // next to the scene's own rung
 
 Cost by_intervals(const SlideRung& a, const SlideRung& b, double within) {
-    const SlidePoint &p = a.point, &q = b.point;
+    const PlotPoint &p = a.point, &q = b.point;
     if (!p.has_interval() || !q.has_interval()) return Cost::not_told;
     return compare_costs({p.low / q.high, p.milliseconds / q.milliseconds, p.high / q.low},
                          std::max(a.sweep->control.noise, b.sweep->control.noise), within);
@@ -38,41 +40,42 @@ double factor(double a, double b) {
 
 bool same_time(const SlideRung& a, const SlideRung& b) { return by_intervals(a, b, equal_times) == Cost::equal; }
 
-bool same_error(const SlidePoint& a, const SlidePoint& b) { return factor(a.error, b.error) <= equal_errors; }
+bool same_error(const PlotPoint& a, const PlotPoint& b) { return factor(a.error, b.error) <= equal_errors; }
 
+// The columns that are chosen, one kind after the other.
 class Chooser {
 public:
     Chooser(const std::vector<SlideRung>& rungs, std::size_t own) : rungs_(rungs), own_(own) {}
 
     std::vector<ColumnChoice> choose() {
-        if (own_ < rungs_.size() && shows_anything(own_)) {
+        std::vector<std::size_t> equal_time, equal_error, others;
+        const bool has_own = own_ < rungs_.size() && shows_anything(own_);
+        if (has_own) {
             shown_.push_back(own_);
-            add_equal_times();
-            add_equal_errors();
+            add_equal(equal_time, equal_error);
         }
-        add_others();
-        return in_order();
+        add_others(others);
+        ranges::stable_sort(others, {}, [&](std::size_t i) { return point(i).milliseconds; });
+        std::vector<ColumnChoice> columns;
+        const auto cheaper = [&](std::size_t i) { return has_own && point(i).milliseconds < own().milliseconds; };
+        for (const std::size_t i : others)
+            if (cheaper(i)) columns.push_back({i});
+        for (const std::size_t i : equal_time) columns.push_back({i, true, false});
+        if (has_own) columns.push_back({own_, !equal_time.empty(), !equal_error.empty()});
+        for (const std::size_t i : equal_error) columns.push_back({i, false, true});
+        for (const std::size_t i : others)
+            if (!cheaper(i)) columns.push_back({i});
+        return columns;
     }
 
 private:
-    const SlidePoint& point(std::size_t i) const { return rungs_[i].point; }
-    const SlidePoint& own() const { return point(own_); }
+    const PlotPoint& point(std::size_t i) const { return rungs_[i].point; }
+    const PlotPoint& own() const { return point(own_); }
 
     bool shows_anything(std::size_t i) const {
-        const SlideRung& rung = rungs_[i];
-        return !rung.result().picture.rgba.empty() && std::isfinite(rung.point.error);
+        return !rungs_[i].result().picture.rgba.empty() && std::isfinite(point(i).error);
     }
-    // A picture that is shown already tells nothing again.
-    bool shown(std::size_t i) const {
-        return ranges::any_of(
-            shown_, [&](std::size_t j) { return i == j || rungs_[i].result().picture == rungs_[j].result().picture; });
-    }
-    void add(std::vector<std::size_t>& to, std::size_t i) {
-        if (shown_.size() >= most_columns || shown(i)) return;
-        to.push_back(i);
-        shown_.push_back(i);
-    }
-    // The rungs with pictures that fulfil the condition, with the smallest `value` first.
+    // Those with pictures that fulfil the condition, with the smallest `value` first.
     template <class Condition, class Value>
     std::vector<std::size_t> those(const Condition& condition, const Value& value) const {
         std::vector<std::size_t> result;
@@ -81,88 +84,69 @@ private:
         ranges::stable_sort(result, {}, [&](std::size_t i) { return value(rungs_[i]); });
         return result;
     }
-
-    static bool is_first(const SlideRung& rung) {
-        return rung.rung == 0 && rung.sweep->sweep.kind == SweepKind::ladder;
+    // A picture that is shown already tells nothing again.
+    void add(std::vector<std::size_t>& to, const std::vector<std::size_t>& from, std::size_t most = most_columns) {
+        for (const std::size_t i : from) {
+            const auto same = [&](std::size_t j) { return rungs_[i].result().picture == rungs_[j].result().picture; };
+            if (to.size() >= most || shown_.size() >= most_columns || ranges::any_of(shown_, same)) continue;
+            to.push_back(i);
+            shown_.push_back(i);
+        }
     }
 
-    // The most exact; then the first rung of a ladder, or the nearest.
-    void add_equal_times() {
-        const auto equal = [&](const SlideRung& rung) {
+    static double error(const SlideRung& rung) { return rung.point.error; }
+    static double time(const SlideRung& rung) { return rung.point.milliseconds; }
+
+    // Of equal time: the most exact; then the first rung of a ladder, or the nearest. Of equal error: the cheapest,
+    // then the one with the nearest error.
+    void add_equal(std::vector<std::size_t>& equal_time, std::vector<std::size_t>& equal_error) {
+        const auto as_fast = [&](const SlideRung& rung) {
             return same_time(rung, rungs_[own_]) && factor(rung.point.error, own().error) > different_errors;
         };
-        for (std::size_t i : those(equal, [](const SlideRung& rung) { return rung.point.error; }))
-            if (equal_time_.empty()) add(equal_time_, i);
-        const auto distance = [&](const SlideRung& rung) {
-            return is_first(rung) ? 0 : factor(rung.point.milliseconds, own().milliseconds);
-        };
-        for (std::size_t i : those(equal, distance))
-            if (equal_time_.size() < most_equals) add(equal_time_, i);
-    }
-
-    // The cheapest, then the one with the nearest error.
-    void add_equal_errors() {
-        const auto equal = [&](const SlideRung& rung) {
+        add(equal_time, those(as_fast, error), 1);
+        add(equal_time,
+            those(as_fast,
+                  [&](const SlideRung& rung) {
+                      const bool first = rung.rung == 0 && rung.sweep->sweep.kind == SweepKind::ladder;
+                      return first ? 0 : factor(rung.point.milliseconds, own().milliseconds);
+                  }),
+            most_equals);
+        const auto as_good = [&](const SlideRung& rung) {
             const Cost cost = cost_of(rung, rungs_[own_]);
             return (cost == Cost::cheaper || cost == Cost::dearer) && same_error(rung.point, own());
         };
-        for (std::size_t i : those(equal, [](const SlideRung& rung) { return rung.point.milliseconds; }))
-            if (equal_error_.empty()) add(equal_error_, i);
-        for (std::size_t i : those(equal, [&](const SlideRung& rung) { return factor(rung.point.error, own().error); }))
-            if (equal_error_.size() < most_equals) add(equal_error_, i);
+        add(equal_error, those(as_good, time), 1);
+        add(equal_error, those(as_good, [&](const SlideRung& rung) { return factor(rung.point.error, own().error); }),
+            most_equals);
     }
 
-    // The cheapest on the front that halves the error of the scene's own rung; if that has none, the cheapest whose
-    // error is hardly seen.
-    void add_bargain() {
-        const bool exact = own_ >= rungs_.size() || own().error == 0 || rungs_[own_].result().below_residual;
-        const auto good = [&](const SlideRung& rung) {
-            if (!rung.point.front) return false;
-            return exact ? rung.result().flip <= invisible_flip : rung.point.error <= own().error / 2;
-        };
-        const auto found = those(good, [](const SlideRung& rung) { return rung.point.milliseconds; });
-        if (!found.empty()) add(others_, found.front());
-    }
-
-    void add_others() {
+    // The best bargain: the cheapest on the front that halves the error of the scene's own rung; if that has none, the
+    // cheapest whose error is hardly seen. Then the ends of the main ladder, and the front.
+    void add_others(std::vector<std::size_t>& others) {
         if (rungs_.empty()) return;
-        const std::size_t before = others_.size();
-        add_bargain();
+        const bool exact = own_ >= rungs_.size() || own().error == 0 || rungs_[own_].result().below_residual;
+        auto bargains = those(
+            [&](const SlideRung& rung) {
+                return rung.point.front &&
+                       (exact ? rung.result().flip <= invisible_flip : error(rung) <= own().error / 2);
+            },
+            time);
+        bargains.resize(std::min<std::size_t>(bargains.size(), 1));
+        add(others, bargains);
         const SweepResult* main = rungs_[own_ < rungs_.size() ? own_ : 0].sweep;
-        const auto of_main = [&](std::size_t rung) {
-            for (std::size_t i = 0; i < rungs_.size(); ++i)
-                if (rungs_[i].sweep == main && rungs_[i].rung == rung && shows_anything(i)) add(others_, i);
+        const auto is = [&](std::size_t n) {
+            return [main, n](const SlideRung& rung) { return rung.sweep == main && rung.rung == n; };
         };
-        if (main->sweep.kind == SweepKind::ladder || main->sweep.kind == SweepKind::knob) of_main(0);
-        of_main(main->sweep.reference);
-        for (std::size_t i : those([](const SlideRung& rung) { return rung.point.front; },
-                                   [](const SlideRung& rung) { return rung.point.milliseconds; }))
-            add(others_, i);
-        if (others_.size() == before && shown_.empty())
-            for (std::size_t i :
-                 those([](const SlideRung&) { return true; }, [](const SlideRung& rung) { return rung.point.error; }))
-                add(others_, i);
-    }
-
-    std::vector<ColumnChoice> in_order() const {
-        std::vector<ColumnChoice> columns;
-        const bool has_own = ranges::find(shown_, own_) != shown_.end();
-        std::vector<std::size_t> others = others_;
-        ranges::stable_sort(others, {}, [&](std::size_t i) { return point(i).milliseconds; });
-        const auto cheaper = [&](std::size_t i) { return has_own && point(i).milliseconds < own().milliseconds; };
-        for (std::size_t i : others)
-            if (cheaper(i)) columns.push_back({i});
-        for (std::size_t i : equal_time_) columns.push_back({i, true, false});
-        if (has_own) columns.push_back({own_, !equal_time_.empty(), !equal_error_.empty()});
-        for (std::size_t i : equal_error_) columns.push_back({i, false, true});
-        for (std::size_t i : others)
-            if (!cheaper(i)) columns.push_back({i});
-        return columns;
+        if (main->sweep.kind == SweepKind::ladder || main->sweep.kind == SweepKind::knob)
+            add(others, those(is(0), time));
+        add(others, those(is(main->sweep.reference), time));
+        add(others, those([](const SlideRung& rung) { return rung.point.front; }, time));
+        if (shown_.empty()) add(others, those([](const SlideRung&) { return true; }, error));
     }
 
     const std::vector<SlideRung>& rungs_;
     std::size_t own_;
-    std::vector<std::size_t> shown_, equal_time_, equal_error_, others_;
+    std::vector<std::size_t> shown_;
 };
 
 bool may_be_on_front(const SlideRung& rung) {

@@ -11,7 +11,7 @@ namespace snell::accuracy {
 struct SlideRung {
     const SweepResult* sweep;
     std::size_t rung;
-    SlidePoint point;
+    content::PlotPoint point;
 
     const RungResult& result() const { return sweep->rungs[rung]; }
     bool timed() const { return point.milliseconds > 0; }

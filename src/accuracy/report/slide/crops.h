@@ -17,16 +17,10 @@ std::vector<float> disagreement(std::span<const Picture* const> pictures, const 
 Window largest_window(const std::vector<float>& values, int width, int height, int window_width, int window_height);
 
 // The window's pixels as they are shown.
-Raster crop(const Picture& picture, const Window& window);
+content::Image crop(const Picture& picture, const Window& window);
 // FLIP in the window, as flip_map computes it for the whole pictures.
 std::vector<float> flip_in(const Picture& picture, const Picture& reference, const Window& window);
-// The colour of a part of the scale of error maps, from 0 to 1: brighter is larger.
-std::array<std::uint8_t, 3> map_color(double part);
-Raster colored(std::span<const float> values, const Window& window, double scale);
-
-// Repeats each pixel, by an integer factor, as far as it fits.
-Raster magnified(const Raster& raster, int width, int height);
-// The mean of the pixels, so that the picture fits.
-Raster reduced(const Picture& picture, int width, int height);
+// In the colours of content::heat.
+content::Image colored(std::span<const float> values, const Window& window, double scale);
 
 }  // namespace snell::accuracy

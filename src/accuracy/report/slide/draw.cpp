@@ -1,15 +1,17 @@
-// Slides as files, by the Cairo module.
+// Slides as files: SVG as text, PNG and PDF by the Cairo module, which also knows how wide letters are.
 #include <array>
-#include <cctype>
-#include <map>
+#include <string>
 
 #include "src/accuracy/report/slide/cairo/api.h"
-#include "src/accuracy/report/slide/shapes.h"
+#include "src/accuracy/report/slide/slide.h"
 #include "src/content/load_module.h"
+#include "src/plan/locate.h"
 
 namespace snell::accuracy {
 
 namespace {
+
+using content::Mark, content::MarkKind;
 
 struct CairoModule {
     decltype(&snell_cairo_draw) draw = nullptr;
@@ -35,86 +37,71 @@ const CairoModule& cairo_module() {
     return module;
 }
 
-SnellCairoShape for_module(const SlideShape& shape) {
-    constexpr std::array kinds{snell_cairo_line, snell_cairo_box, snell_cairo_disc, snell_cairo_text,
-                               snell_cairo_image};  // as ShapeKind
-    SnellCairoShape result{};
-    result.kind = kinds[static_cast<std::size_t>(shape.kind)];
-    result.x0 = shape.at.x0;
-    result.y0 = shape.kind == ShapeKind::text ? shape.at.y0 + ascent * shape.size : shape.at.y0;
-    result.x1 = shape.at.x1;
-    result.y1 = shape.at.y1;
-    result.color = shape.color;
-    result.stroke = shape.stroke;
-    result.size = shape.size;
-    result.bold = shape.bold ? 1 : 0;
-    result.text = shape.text.c_str();
-    result.pixels = shape.picture.rgb.data();
-    result.width = shape.picture.width;
-    result.height = shape.picture.height;
-    return result;
+std::vector<Mark> measured_marks(const Slide& slide) {
+    return slide_marks(slide, [](const std::string& text, double size, bool bold) {
+        const CairoModule& module = cairo_module();
+        const double width = module.error.empty() ? module.width(text.c_str(), size, bold ? 1 : 0) : -1;
+        return width < 0 ? content::estimated_width(text, size, bold) : width;
+    });
 }
 
-// Cairo numbers the ids of an SVG file on from those of the file before. Here they are numbered from 1, with a name
-// that no other element of a page has.
-std::string renumbered(const std::string& svg) {
-    std::map<std::string, std::string> names;
-    for (std::size_t at = 0; (at = svg.find("id=\"", at)) != std::string::npos;) {
-        const std::size_t begin = at + 4, end = svg.find('"', begin);
-        names.try_emplace(svg.substr(begin, end - begin), "slide-" + std::to_string(names.size() + 1));
-        at = end;
-    }
-    std::string out;
-    std::size_t done = 0;
-    // Ids occur as id="…", "#…" and url(#…).
-    for (std::size_t at = 0; (at = svg.find_first_of("\"#", at)) != std::string::npos;) {
-        const bool is_id = svg[at] == '#' || (at >= 3 && svg.compare(at - 3, 3, "id=") == 0);
-        const std::size_t begin = ++at;
-        if (!is_id) continue;
-        const std::size_t end = svg.find_first_of("\")", begin);
-        const auto name = names.find(svg.substr(begin, end - begin));
-        if (name == names.end()) continue;
-        out += svg.substr(done, begin - done) + name->second;
-        done = at = end;
-    }
-    return out + svg.substr(done);
+SnellCairoShape for_module(const Mark& mark) {
+    constexpr std::array kinds{snell_cairo_line, snell_cairo_box, snell_cairo_disc, snell_cairo_text,
+                               snell_cairo_image};  // as MarkKind
+    const std::string_view color = content::print_colors[static_cast<std::size_t>(mark.ink)];
+    return {.kind = kinds[static_cast<std::size_t>(mark.kind)],
+            .x0 = mark.at.x0,
+            .y0 = mark.kind == MarkKind::text ? mark.at.y0 + content::ascent * mark.size : mark.at.y0,
+            .x1 = mark.at.x1,
+            .y1 = mark.at.y1,
+            .color = static_cast<unsigned>(std::stoul(std::string(color.substr(1)), nullptr, 16)),
+            .stroke = mark.stroke,
+            .size = mark.size,
+            .bold = mark.bold ? 1 : 0,
+            .text = mark.text.c_str(),
+            .pixels = reinterpret_cast<const unsigned char*>(mark.picture.pixels.data()),
+            .width = mark.picture.width,
+            .height = mark.picture.height};
+}
+
+std::string slide_svg(const Slide& slide, std::string_view attributes) {
+    std::vector<Mark> marks = measured_marks(slide);
+    marks.insert(marks.begin(), {.at = {0, 0, slide_width, slide_height}, .ink = content::Ink::paper});
+    return content::svg(marks, slide_width, slide_height, content::print_colors, attributes);
 }
 
 }  // namespace
 
 SlideFile draw_slide(const Slide& slide, SlideFormat format) {
-    SlideFile file;
+    if (format == SlideFormat::svg) return {slide_svg(slide, {}) + "\n", {}};
     const CairoModule& module = cairo_module();
-    file.error = module.error;
-    if (!file.error.empty()) return file;
-    const std::vector<SlideShape> shapes = slide_shapes(slide, [&](const std::string& text, double size, bool bold) {
-        return module.width(text.c_str(), size, bold ? 1 : 0);
-    });
+    if (!module.error.empty()) return {{}, module.error};
+    const std::vector<Mark> marks = measured_marks(slide);
     std::vector<SnellCairoShape> plain;
-    for (const SlideShape& shape : shapes) plain.push_back(for_module(shape));
-    constexpr std::array formats{snell_cairo_png, snell_cairo_svg, snell_cairo_pdf};  // as SlideFormat
+    for (const Mark& mark : marks) plain.push_back(for_module(mark));
     const auto write = [](void* to, const unsigned char* bytes, unsigned int count) {
         static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
     };
+    SlideFile file;
     std::array<char, 256> message{};
-    if (module.draw(formats[static_cast<std::size_t>(format)], slide_width, slide_height, plain.data(), plain.size(),
-                    write, &file.bytes, message.data(), message.size()) != 0)
+    if (module.draw(format == SlideFormat::pdf, slide_width, slide_height, plain.data(), plain.size(), write,
+                    &file.bytes, message.data(), message.size()) != 0)
         return {{}, message.data()};
-    if (format == SlideFormat::svg) file.bytes = renumbered(file.bytes);
     return file;
 }
 
-std::string slide_element(const Slide& slide, std::string& error) {
-    if (slide.points.empty() && slide.columns.empty()) return {};
-    const SlideFile file = draw_slide(slide, SlideFormat::svg);
-    error = file.error;
-    const std::size_t begin = file.bytes.find("<svg"), sizes = file.bytes.find("width=", begin),
-                      view = file.bytes.find("viewBox=", begin);
-    if (view == std::string::npos || sizes > view) return {};
-    // As wide as the page, not as the file.
-    return file.bytes.substr(begin, sizes - begin) +
-           "class=\"slide\" role=\"img\" aria-label=\"Error against time, and where the pictures differ most\" " +
-           file.bytes.substr(view);
+std::string slide_element(const Slide& slide) {
+    if (slide.plot.points.empty() && slide.columns.empty()) return {};
+    return slide_svg(slide,
+                     "class=\"slide\" role=\"img\" aria-label=\"Error against time, and where the pictures differ "
+                     "most\"");
+}
+
+std::optional<SlideFormat> slide_format(std::string_view path) {
+    if (has_extension(path, "png")) return SlideFormat::png;
+    if (has_extension(path, "svg")) return SlideFormat::svg;
+    if (has_extension(path, "pdf")) return SlideFormat::pdf;
+    return std::nullopt;
 }
 
 }  // namespace snell::accuracy

@@ -12,11 +12,13 @@
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/slide/choose.h"
 #include "src/accuracy/report/slide/crops.h"
-#include "src/plan/locate.h"
+#include "src/content/image/reduced.h"
 
 namespace snell::accuracy {
 
 namespace {
+
+using content::PlotPoint;
 
 constexpr int window_width = 96, window_height = 64, whole_side = 380;
 
@@ -127,8 +129,8 @@ Interval base_time(const std::vector<SlideRung>& rungs, const SweepResult& sweep
     const auto by = [&](std::size_t i) -> std::optional<Interval> {
         const Interval& ratio = sweep.rungs[i].ratio;
         for (const SlideRung& other : rungs)
-            if (const SlidePoint& p = other.point; sweep.rungs[i].rounds > 0 && ratio.middle > 0 && other.timed() &&
-                                                   same_variant(*other.sweep, other.rung, sweep, i))
+            if (const PlotPoint& p = other.point; sweep.rungs[i].rounds > 0 && ratio.middle > 0 && other.timed() &&
+                                                  same_variant(*other.sweep, other.rung, sweep, i))
                 return Interval{p.low / ratio.high, p.milliseconds / ratio.middle, p.high / ratio.low};
         return std::nullopt;
     };
@@ -184,7 +186,7 @@ std::vector<SlideRung> rungs_of(const Shown& shown) {
     }
     if (shown.sweeps.size() > 1) tell_apart(result);
     const std::vector<bool> front = common_front(result);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i].point.front = front[i];
+    for (std::size_t i = 0; i < result.size(); ++i) result[i].point.beaten = !(result[i].point.front = front[i]);
     return result;
 }
 
@@ -201,7 +203,7 @@ double scale_for(std::vector<float> values) {
     return 10 * power;
 }
 
-Window scaled(const Window& window, const Picture& from, const Raster& to) {
+Window scaled(const Window& window, const Picture& from, const content::Image& to) {
     const auto at = [](int value, int all, int of) {
         return static_cast<int>(std::lround(static_cast<double>(value) * of / all));
     };
@@ -212,7 +214,11 @@ Window scaled(const Window& window, const Picture& from, const Raster& to) {
 
 // The pictures of the columns, their maps, and where they are from.
 void add_pictures(Slide& slide, const std::vector<const Picture*>& pictures, const Picture& reference) {
-    slide.whole = reduced(reference, whole_side, whole_side);
+    slide.whole =
+        content::reduced(reference.width, reference.height, whole_side, whole_side, [&](int x, int y, std::size_t c) {
+            const float value = reference.rgba[4 * static_cast<std::size_t>(y * reference.width + x) + c];
+            return std::isfinite(value) ? std::clamp(value, 0.F, 1.F) : 0.F;
+        });
     if (pictures.empty()) return;
     std::vector<float> differences = disagreement(pictures, reference);
     if (ranges::none_of(differences, [](float d) { return d > 0; }))
@@ -236,16 +242,30 @@ void add_pictures(Slide& slide, const std::vector<const Picture*>& pictures, con
 void add_columns(Slide& slide, std::vector<SlideRung>& rungs, const Picture& reference) {
     const auto own = ranges::find_if(rungs, [](const SlideRung& rung) { return rung.point.own; });
     std::vector<const Picture*> pictures;
+    std::size_t others = 0;
     for (const ColumnChoice& choice : choose_columns(rungs, static_cast<std::size_t>(own - rungs.begin()))) {
-        SlidePoint& point = rungs[choice.rung].point;
+        PlotPoint& point = rungs[choice.rung].point;
         const Picture& picture = rungs[choice.rung].result().picture;
         if (!same_size(picture, reference)) continue;
-        point.column = slide.columns.size();
-        slide.columns.push_back(
-            {point.name, point.error, point.milliseconds, point.own, choice.equal_time, choice.equal_error, {}, {}});
+        point.ink = point.own ? content::Ink::own : content::series(others++);
+        slide.columns.push_back({point.name, point.error, point.milliseconds, point.own, choice.equal_time,
+                                 choice.equal_error, *point.ink});
         pictures.push_back(&picture);
     }
     add_pictures(slide, pictures, reference);
+}
+
+// The most important first: those with pictures, then some of the front.
+void add_labels(std::vector<PlotPoint>& points) {
+    constexpr std::size_t most_of_front = 4;
+    std::vector<PlotPoint*> front;
+    for (PlotPoint& point : points)
+        if (point.ink || point.own)
+            point.label = point.own ? 0 : 1;
+        else if (point.front)
+            front.push_back(&point);
+    ranges::stable_sort(front, {}, [](const PlotPoint* p) { return p->error; });
+    for (std::size_t i = 0; i < std::min(front.size(), most_of_front); ++i) front[i]->label = 2 + static_cast<int>(i);
 }
 
 // Which rungs are not among the points: those that were not timed, and those that nobody would take.
@@ -271,8 +291,8 @@ std::string left_out(const Report& report, const Shown& shown) {
 }
 
 std::string why_no_front(const Slide& slide, const SweepResult& main) {
-    if (slide.points.empty()) return "no times were measured";
-    if (ranges::any_of(slide.points, &SlidePoint::front)) return {};
+    if (slide.plot.points.empty()) return "no times were measured";
+    if (ranges::any_of(slide.plot.points, &PlotPoint::front)) return {};
     return main.few_rounds ? "too few rounds: no front" : "no front";
 }
 
@@ -282,26 +302,22 @@ Slide slide_of(const Report& report) {
     Slide slide;
     const Shown shown = shown_of(report);
     if (shown.sweeps.empty()) return slide;
-    slide.floor = shown.floor;
+    slide.plot.floor = shown.floor;
     std::vector<SlideRung> rungs = rungs_of(shown);
     if (shown.reference) add_columns(slide, rungs, *shown.reference);
     for (SlideRung& rung : rungs)
-        if (rung.timed()) slide.points.push_back(std::move(rung.point));
+        if (rung.timed()) slide.plot.points.push_back(std::move(rung.point));
     const SweepResult& main = *shown.sweeps.front();
     slide.title = std::filesystem::path(main.scene).stem().string();
     slide.note = fmt::format("{} × {}, {}", report.where.width, report.where.height, report.where.renderer);
-    slide.clock = name(main.clock);
-    slide.stamp = why_no_front(slide, main);
-    if (const std::string without = left_out(report, shown); !slide.points.empty() && !without.empty())
-        slide.stamp += (slide.stamp.empty() ? "" : "; ") + without;
+    add_labels(slide.plot.points);
+    slide.plot.errors = "error of light (RMSE)";
+    slide.plot.times = fmt::format("time of a frame, ms ({})", name(main.clock));
+    slide.plot.floor_words = "residual of the reference";
+    slide.plot.stamp = why_no_front(slide, main);
+    if (const std::string without = left_out(report, shown); !slide.plot.points.empty() && !without.empty())
+        slide.plot.stamp += (slide.plot.stamp.empty() ? "" : "; ") + without;
     return slide;
-}
-
-std::optional<SlideFormat> slide_format(std::string_view path) {
-    if (has_extension(path, "png")) return SlideFormat::png;
-    if (has_extension(path, "svg")) return SlideFormat::svg;
-    if (has_extension(path, "pdf")) return SlideFormat::pdf;
-    return std::nullopt;
 }
 
 }  // namespace snell::accuracy

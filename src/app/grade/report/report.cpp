@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/words.h"
-#include "src/app/page/page.h"
 #include "src/content/files.h"
+#include "src/content/html_page.h"
 #include "src/content/replace.h"
 #include "src/content/table.h"
 #include "src/content/text_forms.h"
@@ -56,24 +56,18 @@ std::string write_report(const Grades& grades, const std::string& output) {
 
 namespace {
 
-// The colours have a contrast of at least 4.5 to 1, dark and light.
 constexpr std::string_view style =
-    R"(:root { color-scheme: light dark; --page: #fff; --text: #1b1f24; --quiet: #57606a; --edge: #d0d7de; --head: #f3f5f7; --full: #d8f3dc; --part: #fff0c2; --none: #ffd9d6; --link: #0550ae; }
-@media (prefers-color-scheme: dark) { :root { --page: #14171a; --text: #e8eaed; --quiet: #a9b1ba; --edge: #3d444d; --head: #20252b; --full: #143d20; --part: #4a3a08; --none: #551d1a; --link: #79b8ff; } }
-body { margin: 0 auto; max-width: 90rem; padding: 1rem; background: var(--page); color: var(--text); font: 1rem/1.5 system-ui, sans-serif; }
-a { color: var(--link); }
-h1 { font-size: 1.5rem; margin: .5rem 0; } h2 { font-size: 1.125rem; margin: 1.5rem 0 .5rem; }
-p { margin: .5rem 0; max-width: 60rem; } .quiet { color: var(--quiet); }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; } th, td { border: 1px solid var(--edge); padding: .25rem .5rem; text-align: left; vertical-align: top; overflow-wrap: break-word; max-width: 40rem; }
-th { background: var(--head); } td.number, th.number { text-align: right; } td.number { white-space: nowrap; } .number { min-width: 4rem; max-width: 9rem; }
+    R"(:root { --full: #d8f3dc; --part: #fff0c2; --none: #ffd9d6; }
+@media (prefers-color-scheme: dark) { :root { --full: #143d20; --part: #4a3a08; --none: #551d1a; } }
+p { margin: .5rem 0; max-width: 60rem; } small, figcaption { color: var(--weak); }
+th, td { border: 1px solid var(--line); padding: .25rem .5rem; text-align: left; vertical-align: top; overflow-wrap: break-word; max-width: 40rem; }
+th { background: var(--panel); } .number { min-width: 4rem; max-width: 9rem; }
 th button { all: unset; cursor: pointer; font-weight: bold; } th button:focus-visible { outline: 2px solid currentColor; outline-offset: 2px; }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
 .full { background: var(--full); } .part { background: var(--part); } .none { background: var(--none); }
 img { display: block; max-width: 100%; height: auto; } td img { width: 5rem; max-width: none; } td a { display: inline-block; }
-.pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: .5rem 0; } figure { margin: 0; } figcaption { font-size: .875rem; color: var(--quiet); }
 .over { position: relative; } .over img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 50%); } input[type=range] { width: 100%; margin: .25rem 0; }
-pre { overflow-x: auto; border: 1px solid var(--edge); background: var(--head); padding: .5rem; font: .8125rem/1.4 ui-monospace, monospace; margin: 0; }
+pre { overflow-x: auto; border: 1px solid var(--line); background: var(--panel); padding: .5rem; font: .8125rem/1.4 ui-monospace, monospace; margin: 0; }
 .sides { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .sides > div { min-width: 0; } mark { background: var(--part); color: inherit; display: block; }
 )";
 
@@ -93,51 +87,52 @@ std::string shown_text(std::string_view text) {
     return shown;
 }
 
-std::string page_frame(std::string_view title, std::string_view body, std::string_view script) {
-    const std::string allowed = script.empty() ? "" : fmt::format("; script-src 'sha256-{}'", policy_hash(script));
-    const std::string element = script.empty() ? "" : fmt::format("<script>{}</script>\n", script);
-    return fmt::format(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-{}'; img-src "
-        "'self' file:{}\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"generator\" content=\"snell grade\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}"
-        "{}</body>\n</html>\n",
-        policy_hash(style), allowed, shown_text(title), style, body, element);
+namespace {
+
+// Nothing is loaded but pictures next to it.
+std::string page_of(const std::string& title, std::string body, std::string_view script = {}) {
+    return content::html_page({title, std::move(body), style, script, "'self' file:", "snell grade"});
 }
 
-std::string_view class_of(double points, double of) { return points >= of ? "full" : points > 0 ? "part" : "none"; }
+using content::CellKind, content::Table;
+
+// A cell whose lines stay, and which may be a link.
+Table::Cell cell(const std::string& text, const std::string& link = {}) {
+    Table::Cell made(text);
+    made.html = shown_text(text);
+    if (!link.empty()) made.html = fmt::format("<a href=\"{}\">{}</a>", link, made.html);
+    return made;
+}
+
+// A class of CSS for a number of points.
+std::string class_of(double points, double of) { return points >= of ? "full" : points > 0 ? "part" : "none"; }
+
+}  // namespace
 
 // The results for programs: CSV, JSON, and JUnit's XML for CI services.
 
 namespace {
-
-// In quotes where needed. Spreadsheets would run what begins like a formula.
-std::string field(const std::string& text) {
-    std::string safe = utf8::printable(text);
-    if (!safe.empty() && std::string_view("=+-@").find(safe.front()) != std::string_view::npos) safe = "'" + safe;
-    if (safe.find_first_of(",;\"") == safe.npos) return safe;
-    std::string quoted = "\"";
-    for (const char c : safe) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 std::string xml(std::string_view text) { return content::escaped(utf8::printable(text)); }
 
 }  // namespace
 
 std::string results_csv(const Grades& grades) {
-    std::string text = "submission,points";
-    for (const RubricItem& item : grades.rubric.items) text += "," + field(item.name);
-    text += ",errors,warnings,problem,notes,folder\n";
+    constexpr auto words = CellKind::words;
+    Table table{{{"submission", words}, {"points"}}, {}};
+    for (const RubricItem& item : grades.rubric.items) table.columns.push_back({item.name});
+    for (const char* number : {"errors", "warnings"}) table.columns.push_back({number});
+    for (const char* text : {"problem", "notes", "folder"}) table.columns.push_back({text, words});
     for (const GradedSubmission& graded : grades.all) {
-        text += fmt::format("{},{}", field(graded.submission.name), points_text(graded.record.points()));
-        for (const Judged& item : graded.record.items) text += "," + points_text(item.points);
-        text +=
-            fmt::format(",{},{},{},{},{}\n", graded.record.errors, graded.record.warnings, field(graded.record.problem),
-                        field(fmt::format("{}", fmt::join(graded.record.notes, "; "))),
-                        field("students/" + graded.submission.folder));
+        const Record& record = graded.record;
+        auto& cells = table.rows.emplace_back().cells;
+        cells = {graded.submission.name, points_text(record.points())};
+        for (const Judged& item : record.items) cells.emplace_back(points_text(item.points));
+        for (const std::size_t number : {record.errors, record.warnings}) cells.emplace_back(std::to_string(number));
+        cells.insert(cells.end(), {record.problem, fmt::format("{}", fmt::join(record.notes, "; ")),
+                                   "students/" + graded.submission.folder});
     }
-    return text;
+    return content::table_csv(table);
 }
 
 std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs) {
@@ -204,17 +199,15 @@ for (const slider of document.querySelectorAll('input[type=range]')) {
 )";
 
 std::string items_table(const Rubric& rubric, const Record& record) {
-    std::string text =
-        "<div class=\"wide\"><table><thead><tr><th scope=\"col\">What is judged</th><th scope=\"col\" "
-        "class=\"number\">Points</th><th scope=\"col\">Why</th></tr></thead><tbody>\n";
+    Table table{{{"What is judged", CellKind::words}, {"Points"}, {"Why", CellKind::words}}, {}};
     for (std::size_t i = 0; i < rubric.items.size(); ++i) {
         const RubricItem& item = rubric.items[i];
         const Judged& judged = record.items[i];
-        text += fmt::format("<tr><td>{}</td><td class=\"number {}\">{}{}</td><td>{}</td></tr>\n", shown_text(item.name),
-                            class_of(item.left(judged.points), item.points), points_text(judged.points),
-                            item.deducts ? "" : " of " + points_text(item.points), shown_text(judged.why));
+        Table::Cell points(points_text(judged.points) + (item.deducts ? "" : " of " + points_text(item.points)));
+        points.css = class_of(item.left(judged.points), item.points);
+        table.rows.push_back({{cell(item.name), points, cell(judged.why)}});
     }
-    return text + "</tbody></table></div>\n";
+    return content::table_html(table);
 }
 
 std::string caption(const Rubric& rubric, std::size_t picture) {
@@ -283,7 +276,7 @@ std::string student_page(const Grades& grades, const GradedSubmission& graded) {
     body += "<h2>Errors and warnings</h2>\n";
     body += record.messages.empty() ? "<p>There are none.</p>\n"
                                     : fmt::format("<pre>{}</pre>\n", shown_text(record.messages));
-    return page_frame(title, body, slide_script);
+    return page_of(title, body, slide_script);
 }
 
 // The table of all submissions, and the pairs that are alike.
@@ -303,33 +296,32 @@ for (const button of document.querySelectorAll('th button')) button.addEventList
 });
 )";
 
-std::string heading(std::string_view text, std::string_view more, bool number) {
-    return fmt::format("<th{} scope=\"col\"><button>{}</button>{}</th>", number ? " class=\"number\"" : "",
-                       shown_text(text), more);
+// Sorted by the number, not by how it is written.
+Table::Cell number_cell(double number, std::string text) {
+    Table::Cell made(std::move(text));
+    made.attributes = fmt::format(" data-key=\"{}\"", number);
+    return made;
 }
 
-std::string row_of_table(const Rubric& rubric, const GradedSubmission& graded) {
+Table::Row row_of(const Rubric& rubric, const GradedSubmission& graded) {
+    const Submission& submission = graded.submission;
     const Record& record = graded.record;
-    const std::string folder = "students/" + graded.submission.folder;
-    const bool drawn = !record.drawn.empty() && !record.drawn.front().empty();
-    std::string row = fmt::format(
-        "<tr><td>{}</td>",
-        drawn ? fmt::format(
-                    "<a href=\"{0}/index.html\"><img loading=\"lazy\" alt=\"Picture of {1}\" src=\"{0}/{2}\"></a>",
-                    folder, shown_text(graded.submission.name), record.drawn.front())
-              : std::string("no picture"));
-    row += fmt::format("<td><a href=\"{}/index.html\">{}</a>", folder, shown_text(graded.submission.name));
-    if (const std::string told = remark(record); !told.empty()) row += "<br>" + shown_text(told);
-    row += fmt::format("</td><td class=\"number\" data-key=\"{0}\"><b>{1}</b></td>", record.points(),
-                       points_text(record.points()));
+    const std::string folder = "students/" + submission.folder, page = folder + "/index.html";
+    Table::Cell picture("no picture"), name = cell(submission.name, page);
+    if (!record.drawn.empty() && !record.drawn.front().empty())
+        picture.html = fmt::format("<a href=\"{}\"><img loading=\"lazy\" alt=\"Picture of {}\" src=\"{}/{}\"></a>",
+                                   page, shown_text(submission.name), folder, record.drawn.front());
+    if (const std::string told = remark(record); !told.empty()) name.html += "<br>" + shown_text(told);
+    Table::Row row{{picture, name, number_cell(record.points(), points_text(record.points()))}};
+    row.cells.back().html = fmt::format("<b>{}</b>", points_text(record.points()));
     for (std::size_t i = 0; i < rubric.items.size(); ++i) {
         const Judged& item = record.items[i];
-        row += fmt::format("<td class=\"number {}\" data-key=\"{}\" title=\"{}\">{}</td>",
-                           class_of(rubric.items[i].left(item.points), rubric.items[i].points), item.points,
-                           shown_text(item.why), points_text(item.points));
+        Table::Cell& points = row.cells.emplace_back(number_cell(item.points, points_text(item.points)));
+        points.css = class_of(rubric.items[i].left(item.points), rubric.items[i].points);
+        points.attributes += fmt::format(" title=\"{}\"", shown_text(item.why));
     }
-    return row + fmt::format("<td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n", record.errors,
-                             record.warnings);
+    row.cells.insert(row.cells.end(), {std::to_string(record.errors), std::to_string(record.warnings)});
+    return row;
 }
 
 std::string alike_table(const Grades& grades, const std::vector<AlikePair>& pairs) {
@@ -338,15 +330,16 @@ std::string alike_table(const Grades& grades, const std::vector<AlikePair>& pair
         "out and what many of the class have. Names, numbers, blanks and comments are not compared. This is a hint "
         "for a person to look at; it does not count as points.</p>\n";
     if (pairs.empty()) return text + "<p>There are none.</p>\n";
-    text += "<div class=\"wide\"><table><thead><tr>" + heading("In common", "", true) + heading("One", "", false) +
-            heading("Other", "", false) + "<th scope=\"col\">Both</th></tr></thead><tbody>\n";
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        text += fmt::format(
-            "<tr><td class=\"number\" data-key=\"{0}\">{0:.0f} %</td><td>{1}</td><td>{2}</td><td><a "
-            "href=\"similar/{3}.html\">beside each other</a></td></tr>\n",
-            100 * pairs[i].share, shown_text(grades.all[pairs[i].a].submission.name),
-            shown_text(grades.all[pairs[i].b].submission.name), i + 1);
-    return text + "</tbody></table></div>\n";
+    constexpr auto words = CellKind::words;
+    Table table{{{"In common"}, {"One", words}, {"Other", words}, {"Both", words}}, {}, true};
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const double percent = 100 * pairs[i].share;
+        table.rows.push_back(
+            {{number_cell(percent, fmt::format("{:.0f} %", percent)), cell(grades.all[pairs[i].a].submission.name),
+              cell(grades.all[pairs[i].b].submission.name),
+              cell("beside each other", fmt::format("similar/{}.html", i + 1))}});
+    }
+    return text + content::table_html(table);
 }
 
 // What the lecturer's own scene gets, which ought to be all points.
@@ -393,21 +386,18 @@ std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs
         shown_text(title), grades.all.size(), points_text(rubric.points()),
         points_text(grades.all.empty() ? 0 : sum / static_cast<double>(grades.all.size())));
     body += about_reference(grades);
-    body += "<div class=\"wide\"><table><thead><tr><th scope=\"col\">Picture</th>" + heading("Submission", "", false) +
-            heading("Points", "", true);
+    Table table{{{"Picture", CellKind::words}, {"Submission", CellKind::words}, {"Points"}}, {}, true};
     for (const RubricItem& item : rubric.items)
-        body += heading(item.name,
-                        fmt::format("<br><span class=\"quiet\">{} {}</span>", item.deducts ? "deducts" : "of",
-                                    points_text(item.points)),
-                        true);
-    body += heading("Errors", "", true) + heading("Warnings", "", true) + "</tr></thead><tbody>\n";
-    for (const GradedSubmission& graded : grades.all) body += row_of_table(rubric, graded);
-    body += "</tbody></table></div>\n";
+        table.columns.push_back({item.name, CellKind::number,
+                                 fmt::format("{} {}", item.deducts ? "deducts" : "of", points_text(item.points))});
+    for (const char* number : {"Errors", "Warnings"}) table.columns.push_back({number});
+    for (const GradedSubmission& graded : grades.all) table.rows.push_back(row_of(rubric, graded));
+    body += content::table_html(table);
     if (!grades.left_out.empty())
         body += fmt::format("<p>Not submissions: {}.</p>\n",
                             shown_text(fmt::format("{}", fmt::join(grades.left_out, ", "))));
     body += alike_table(grades, pairs);
-    return page_frame(title, body, sort_script);
+    return page_of(title, body, sort_script);
 }
 
 // Two submissions side by side, with what they have in common.
@@ -451,12 +441,12 @@ std::string side(const GradedSubmission& graded, const AlikePair& pair) {
 std::string alike_page(const Grades& grades, const AlikePair& pair) {
     const std::string title =
         fmt::format("{} and {}", grades.all[pair.a].submission.name, grades.all[pair.b].submission.name);
-    return page_frame(
-        title, fmt::format("<h1>{}</h1>\n<p>{:.0f} % of the shorter one's fingerprints are in the other one, too. "
-                           "Marked lines hold them. This is a hint for a person to look at. <a "
-                           "href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
-                           shown_text(title), 100 * pair.share, side(grades.all[pair.a], pair),
-                           side(grades.all[pair.b], pair)));
+    return page_of(title,
+                   fmt::format("<h1>{}</h1>\n<p>{:.0f} % of the shorter one's fingerprints are in the other one, too. "
+                               "Marked lines hold them. This is a hint for a person to look at. <a "
+                               "href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
+                               shown_text(title), 100 * pair.share, side(grades.all[pair.a], pair),
+                               side(grades.all[pair.b], pair)));
 }
 
 std::set<std::uint64_t> handed_out(const Rubric& rubric) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "parser/text/ranges.h"
+#include "src/content/image/reduced.h"
 
 namespace snell {
 
@@ -29,8 +30,8 @@ std::vector<std::byte> heat_of(const std::vector<float>& differences) {
     bytes.reserve(differences.size() * 4);
     for (const float difference : differences) {
         const double power = difference > 0 ? std::log10(difference) : difference == 0 ? ui::coldest : NAN;
-        const ui::Heat color = ui::heat((power - ui::coldest) / (ui::hottest - ui::coldest));
-        bytes.insert(bytes.end(), {byte_of(color.red), byte_of(color.green), byte_of(color.blue), std::byte{255}});
+        const auto [red, green, blue] = content::heat((power - ui::coldest) / (ui::hottest - ui::coldest));
+        bytes.insert(bytes.end(), {byte_of(red), byte_of(green), byte_of(blue), std::byte{255}});
     }
     return bytes;
 }

@@ -10,16 +10,14 @@ extern "C" {
 #include <stddef.h>
 #endif
 
-enum { snell_cairo_version = 1 };
-
-typedef enum SnellCairoFormat { snell_cairo_png, snell_cairo_svg, snell_cairo_pdf } SnellCairoFormat;
+enum { snell_cairo_version = 2 };
 
 typedef enum SnellCairoKind {
     snell_cairo_line,  /* from the first to the second corner */
     snell_cairo_box,   /* between the corners */
     snell_cairo_disc,  /* the ellipse in that box */
     snell_cairo_text,  /* its baseline begins at the first corner */
-    snell_cairo_image, /* fills the box */
+    snell_cairo_image, /* fills the box; pixels that become larger are squares */
 } SnellCairoKind;
 
 /* One mark on the page; y points down. */
@@ -38,10 +36,10 @@ typedef struct SnellCairoShape {
 /* Takes the next bytes of the file. */
 typedef void (*SnellCairoWrite)(void* context, const unsigned char* bytes, unsigned int count);
 
-/* Draws the shapes in this order on a white page. Equal shapes give equal files but for the numbers of SVG's ids.
-   Returns 0 on success; after an error, `message` (of `message_size` bytes) describes it. */
-int snell_cairo_draw(SnellCairoFormat format, int width, int height, const SnellCairoShape* shapes, size_t count,
-                     SnellCairoWrite write, void* context, char* message, size_t message_size);
+/* Draws the shapes in this order on a white page, as PNG or PDF. Equal shapes give equal files. Returns 0 on success;
+   after an error, `message` (of `message_size` bytes) describes it. */
+int snell_cairo_draw(int pdf, int width, int height, const SnellCairoShape* shapes, size_t count, SnellCairoWrite write,
+                     void* context, char* message, size_t message_size);
 /* The width of a line of text, in pixels; negative if the font is missing. */
 double snell_cairo_text_width(const char* text, double size, int bold);
 int snell_cairo_api_version(void);

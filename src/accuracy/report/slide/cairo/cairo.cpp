@@ -2,7 +2,6 @@
 // no influence on the picture.
 #include <cairo/cairo-ft.h>
 #include <cairo/cairo-pdf.h>
-#include <cairo/cairo-svg.h>
 #include <cairo/cairo.h>
 
 #include <array>
@@ -86,8 +85,8 @@ void draw_image(cairo_t* page, const SnellCairoShape& shape) {
     cairo_translate(page, shape.x0, shape.y0);
     cairo_scale(page, (shape.x1 - shape.x0) / shape.width, (shape.y1 - shape.y0) / shape.height);
     cairo_set_source_surface(page, image.get(), 0, 0);
-    const bool as_it_is = shape.x1 - shape.x0 == shape.width && shape.y1 - shape.y0 == shape.height;
-    cairo_pattern_set_filter(cairo_get_source(page), as_it_is ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_BILINEAR);
+    const bool smaller = shape.x1 - shape.x0 < shape.width;
+    cairo_pattern_set_filter(cairo_get_source(page), smaller ? CAIRO_FILTER_BILINEAR : CAIRO_FILTER_NEAREST);
     cairo_pattern_set_extend(cairo_get_source(page), CAIRO_EXTEND_PAD);
     cairo_rectangle(page, 0, 0, shape.width, shape.height);
     cairo_fill(page);
@@ -144,35 +143,18 @@ cairo_status_t take(void* sink, const unsigned char* bytes, unsigned int count) 
     return CAIRO_STATUS_SUCCESS;
 }
 
-Surface surface_for(SnellCairoFormat format, int width, int height, Sink& sink) {
-    switch (format) {
-        case snell_cairo_png:
-            return Surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
-        case snell_cairo_svg: {
-            Surface svg(cairo_svg_surface_create_for_stream(take, &sink, width, height));
-            cairo_svg_surface_set_document_unit(svg.get(), CAIRO_SVG_UNIT_PX);
-            return svg;
-        }
-        case snell_cairo_pdf: {
-            Surface pdf(cairo_pdf_surface_create_for_stream(take, &sink, width, height));
-            // The date that Cairo would write is that of the drawing.
-            cairo_pdf_surface_set_metadata(pdf.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
-            return pdf;
-        }
-    }
-    throw std::runtime_error("unknown format");
-}
-
-void draw_page(SnellCairoFormat format, int width, int height, const SnellCairoShape* shapes, std::size_t count,
-               Sink sink) {
-    const Surface surface = surface_for(format, width, height, sink);
+void draw_page(bool pdf, int width, int height, const SnellCairoShape* shapes, std::size_t count, Sink sink) {
+    const Surface surface(pdf ? cairo_pdf_surface_create_for_stream(take, &sink, width, height)
+                              : cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
     check(cairo_surface_status(surface.get()));
+    // The date that Cairo would write is that of the drawing.
+    if (pdf) cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
     const Page page(cairo_create(surface.get()));
     cairo_set_source_rgb(page.get(), 1, 1, 1);
     cairo_paint(page.get());
     for (std::size_t i = 0; i < count; ++i) draw(page.get(), shapes[i]);
     check(cairo_status(page.get()));
-    if (format == snell_cairo_png) check(cairo_surface_write_to_png_stream(surface.get(), take, &sink));
+    if (!pdf) check(cairo_surface_write_to_png_stream(surface.get(), take, &sink));
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
 }
@@ -181,12 +163,11 @@ void draw_page(SnellCairoFormat format, int width, int height, const SnellCairoS
 
 extern "C" {
 
-SNELL_EXPORT int snell_cairo_draw(SnellCairoFormat format, int width, int height, const SnellCairoShape* shapes,
-                                  size_t count, SnellCairoWrite write, void* context, char* message,
-                                  size_t message_size) {
+SNELL_EXPORT int snell_cairo_draw(int pdf, int width, int height, const SnellCairoShape* shapes, size_t count,
+                                  SnellCairoWrite write, void* context, char* message, size_t message_size) {
     // Exceptions must not cross the C interface.
     try {
-        draw_page(format, width, height, shapes, count, {write, context});
+        draw_page(pdf != 0, width, height, shapes, count, {write, context});
         return 0;
     } catch (const std::exception& e) {
         std::snprintf(message, message_size, "%s", e.what());
