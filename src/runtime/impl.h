@@ -230,7 +230,7 @@ struct Runtime::Impl {
     runtime::LinkedProgram* program_of(Index pass, const Draw& draw) const;
     // Links a program for one value, or links none as nothing reads it, and notes LinkedProgram::alone.
     bool link_alone();
-    std::shared_ptr<runtime::LinkedProgram> link_for(Index pass, const Draw& draw, const glsl::Settled& value);
+    std::shared_ptr<runtime::LinkedProgram> link_for(Index pass, const Draw& draw, std::vector<glsl::Settled> values);
     std::vector<const Control*> without_effect(double seconds) const;
     // The values are those that the programs were compiled for.
     bool stands(const Controls& controls) const;

@@ -130,13 +130,14 @@ LinkedProgram* Runtime::Impl::program_of(Index pass, const Draw& draw) const {
     return found == programs.end() ? nullptr : found->second.get();
 }
 
-std::shared_ptr<LinkedProgram> Runtime::Impl::link_for(Index pass, const Draw& draw, const glsl::Settled& value) {
+std::shared_ptr<LinkedProgram> Runtime::Impl::link_for(Index pass, const Draw& draw,
+                                                       std::vector<glsl::Settled> values) {
     Counters uncounted;  // nothing is drawn with it
     Diagnostics unheard;
-    return runtime::link_program({plan.scene.programs[draw.program], plan.programs[draw.program].stages,
-                                  plan.scene.ladders, variant_of(pass, draw), caps, *files, *sources, store.get(),
-                                  uncounted, [&](const auto&) { return std::vector{value}; }},
-                                 unheard);
+    return runtime::link_program(
+        {plan.scene.programs[draw.program], plan.programs[draw.program].stages, plan.scene.ladders,
+         variant_of(pass, draw), caps, *files, *sources, store.get(), uncounted, [&](const auto&) { return values; }},
+        unheard);
 }
 
 // False: there is nothing to link.
@@ -149,7 +150,10 @@ bool Runtime::Impl::link_alone() {
             if (!linked || linked->alone.size() == linked->settled.size()) continue;
             const glsl::Settled& settled = linked->settled[linked->alone.size()];
             const bool read = ranges::count(active[draw.program], settled.name, &ActiveUniform::name) > 0;
-            const auto alone = read ? link_for(pass, draw, settled) : nullptr;
+            std::vector<glsl::Settled> values = linked->settled;
+            for (glsl::Settled& other : values)  // of two numbers only the larger is known: it decides nothing
+                if (other.name != settled.name) other.values.push_back(other.values.front());
+            const auto alone = read ? link_for(pass, draw, std::move(values)) : nullptr;
             std::vector<std::string>& names = linked->alone.emplace_back();
             // Without it, as where a driver refuses the constant, nothing is known to be left out.
             for (const ActiveUniform& uniform : alone ? alone->active : active[draw.program])

@@ -89,6 +89,19 @@ TEST_F(Explained, WhatOnlySeveralValuesSwitchOffIsARowOfItsOwn) {
     EXPECT_EQ(names(explanation.switched_off[1], Kind::image), Names{"Texture2D 5 t1.bmp"});
 }
 
+// That the other factors are finite is known by the values of other uniforms, which switch nothing off themselves.
+TEST_F(Explained, OtherValuesSayHowLargeAFactorIs) {
+    auto document = settle("Texture2D 5 t1.bmp\n" +
+                           quad("uniform sampler2D uOwn;\nuniform float uMix, uGain;\nuniform vec3 uTint;",
+                                "gl_FragColor = vec4(vec3(.5) + uMix * (uGain * uTint * texture(uOwn, vST).rgb), 1.);",
+                                "uOwn 5 uMix <0. 0. 1.> uGain <0. 2. 4.> uTint {1. .5 .5}"));
+    const Explanation explanation = explain(*document);
+    ASSERT_EQ(explanation.switched_off.size(), 1U);
+    EXPECT_EQ(explanation.switched_off[0].uniform, "uMix");
+    EXPECT_EQ(names(explanation.switched_off[0], Kind::sampler), Names{"sampler2D uOwn"});
+    EXPECT_EQ(names(explanation.switched_off[0], Kind::image), Names{"Texture2D 5 t1.bmp"});
+}
+
 // Another row for each value that alone switches it off, and for the other uniforms that nothing reads then.
 TEST_F(Explained, NoiseAndUniformsAreNamed) {
     auto document =

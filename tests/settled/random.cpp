@@ -205,7 +205,7 @@ protected:
                      head +
                          "out vec2 vST;\nout float vK;\nvoid main() {\nvST = gl_MultiTexCoord0.st;\nvK = "
                          "0.;\nif (uB1) vK = uF1 * vST.x;\nif (uI0 > 2) vK = uF2;\ngl_Position = "
-                         "gl_ModelViewProjectionMatrix * gl_Vertex;\n}\n");
+                         "vec4(gl_Vertex.xy, 0., 1.);\n}\n");  // every column of the picture
         std::string text = head + "uniform sampler2D uPicture;\nin vec2 vST;\nin float vK;\n" + std::string(functions);
         std::string cases;
         for (std::size_t n = 0; n < statements.size(); ++n) {
@@ -327,7 +327,8 @@ TEST_F(RandomPrograms, ZerosThatADriverFindsAreHidden) {
           "a *= 0. / uV.y; v.x = 1. / a; for (int i = 0; i < uN; ++i) a += i == 0 ? 0. : live.y; if (uOn) c = 1.;",
           "v = uV * b; set(c, float(uN) / v.x); if (!uOn) { if (k > uN) v.y = 0.; }",
           "c *= 0. / uV.y; if (uOn) v.y = 1.; else v.y = live.z / c;", "a /= v.x * live.x; if (uOn) b = 1.;",
-          "c = changed(0., live.x + 1.) * (1. / b);",
+          "b = 1.; if (!uOn) { b = a; c = vST.y; } c = uV.x / (b - c);", "if (uOn) c -= c; set(c, uV.x / c);",
+          "if (uOn) v.y = live.y - live.y; c = uV.x / v.y;", "c = changed(0., live.x + 1.) * (1. / b);",
           "Part p = Part(0., vec2(0.)); if (uOn) p = Part(a, vec2(a)); c = p.x * (a / uK) + p.y.x * log(b);",
           "Part p[2] = Part[2](Part(0., vec2(0.)), Part(a, vec2(1.))); if (uOn) p[0].x = a; c = p[0].x * (a / uK);"}) {
         for (const char* on : {"true", "false"}) {

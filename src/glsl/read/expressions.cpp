@@ -200,7 +200,9 @@ Expression Parser::assignment() {
         if (!plain && due.floating()) due = make_type(due.base, value.type.rows);
         if (op != "<<=" && op != ">>=") convert(value, due, plain ? Due::assignment : Due::operand);
         if (!plain) mark_division(nullptr, value, op.substr(0, 1));
-        if (plain || op == "*=") mark_kept(value, here());
+        const std::size_t marked = u_.marks.size();
+        mark_kept(value, here());
+        if (!plain && u_.marks.size() > marked) u_.marks.back().step = here();  // of which the result is what counts
         note_write(target, &value, op);
         emit(Op::assign, 0, op);
         target.step = here() - 1;

@@ -24,7 +24,8 @@ constexpr double largest = 1e30;  // of what is surely finite in floats, too
 struct Item {
     Fold fold;
     int variable = -1;
-    bool whole = true;  // not an element or a member of the variable
+    bool whole = true;      // not an element or a member of the variable
+    std::size_t begin = 0;  // the first of its instructions
 };
 
 bool is_live(const Fold& a) { return a.kind == Kind::live; }
@@ -320,9 +321,21 @@ private:
         if (stack_.empty()) return {};
         const Item item = stack_.back();
         stack_.pop_back();
+        begin_ = std::min(begin_, item.begin);
         return item;
     }
-    void push(const Fold& fold, int variable = -1) { stack_.push_back({fold, variable}); }
+    void push(const Fold& fold, int variable = -1) { stack_.push_back({fold, variable, true, begin_}); }
+    // Whether the text gives an operator the same operand twice: x - x, x / x. `b` ends before `end`.
+    bool same_twice(std::string_view op, const Item& a, const Item& b, std::size_t end) const {
+        const auto& steps = u_.code.steps;
+        const auto same_step = [](const Instruction& one, const Instruction& other) {
+            return one.op == other.op && one.a == other.a && one.text == other.text && one.number == other.number;
+        };
+        return (op == "-" || op == "/" || op == "%" || op == "^") && b.begin - a.begin == end - b.begin &&
+               std::equal(steps.begin() + static_cast<std::ptrdiff_t>(a.begin),
+                          steps.begin() + static_cast<std::ptrdiff_t>(b.begin),
+                          steps.begin() + static_cast<std::ptrdiff_t>(b.begin), same_step);
+    }
     std::vector<Item> pop(int count) {
         std::vector<Item> items(at(count));
         for (auto item = items.rbegin(); item != items.rend(); ++item) *item = pop();
@@ -330,6 +343,7 @@ private:
     }
 
     void take(const Instruction& i, std::size_t step) {
+        begin_ = step;
         switch (i.op) {
             case Op::assign: {
                 const Item given = pop(), target = pop();
@@ -337,6 +351,8 @@ private:
                 if (i.text == "/=") signs_ |= given.fold.from;
                 if (i.text.size() > 1) {
                     fold = of_operator(i.text.substr(0, 1), target.fold, given.fold);
+                    if (same_twice(i.text.substr(0, 1), target, given, step)) fold = constant(true);
+                    if (!kept_.empty() && hides(static_cast<int>(step), -1, fold)) fold = unseen(fold);
                     if (i.text.size() == 2) know_operator(fold, i.text.substr(0, 1), target.fold, given.fold);
                 }
                 give(target, fold, step);
@@ -432,9 +448,11 @@ private:
                 return;
             }
             case Op::infix: {
-                const Fold b = pop().fold, a = pop().fold;
+                const Item right = pop(), left = pop();
+                const Fold &a = left.fold, &b = right.fold;
                 if (i.text == "/") signs_ |= b.from;
                 Fold fold = of_operator(i.text, seen(i.text, a), seen(i.text, b));
+                if (same_twice(i.text, left, right, step)) fold = constant(true);
                 if (i.text == "&&" || i.text == "||")  // one may be enough
                     for (const Fold* one : {&a, &b})
                         if (decided(*one)) fold.kind = Kind::constant, fold.zero = true;
@@ -648,6 +666,7 @@ private:
     std::map<int, std::vector<std::size_t>> kept_;  // by instruction: marks of its result; -1: of zeros
     bool changed_ = false, in_order_ = false, choosing_ = false;
     int rounds_ = 0;
+    std::size_t begin_ = 0;  // the least of the items that the instruction took
 };
 
 // Of a stage whose code is whole. `hidden`: the marks that are written as calls, of Unit::marks; null: not known yet.

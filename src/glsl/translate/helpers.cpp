@@ -47,28 +47,29 @@ std::string smoothstep_function(std::string_view edge, std::string_view type) {
            "; }\n";
 }
 
-// What marks of read/marks.cpp call. Nothing folds what a uniform takes part in, and one that is never set is 0.
+// What marks of read/marks.cpp call. Nothing folds what a uniform takes part in, and one that is never set is 0. `n`
+// differs from mark to mark and between components, so that nothing knows two of them to be equal, as in x / x.
 struct MarkText {
     std::string_view name, text, prefix;  // for a scalar; of the vectors that it is repeated for
 };
 constexpr std::string_view live_text =
-    "float snell_live(float x) { return intBitsToFloat(floatBitsToInt(x) | snell_Zero); }\n";
+    "float snell_live(int n, float x) { return intBitsToFloat(floatBitsToInt(x) + snell_Zero * n); }\n";
 constexpr MarkText marks[] = {
-    {"snell_divisor", "float snell_divisor(float x) { return snell_live(x); }\n", "vec"},
-    {"snell_divisor", "int snell_divisor(int x) { return x <= 0 ? x | snell_Zero : x; }\n", "ivec"},
-    {"snell_divisor", "uint snell_divisor(uint x) { return x == 0u ? uint(snell_Zero) : x; }\n", "uvec"},
-    {"snell_value", "float snell_value(float x) { return snell_live(x); }\n", "vec"},
-    {"snell_value", "int snell_value(int x) { return x | snell_Zero; }\n", "ivec"},
-    {"snell_value", "uint snell_value(uint x) { return x | uint(snell_Zero); }\n", "uvec"},
-    {"snell_value", "bool snell_value(bool x) { return (int(x) | snell_Zero) != 0; }\n", "bvec"},
+    {"snell_divisor", "float snell_divisor(int n, float x) { return snell_live(n, x); }\n", "vec"},
+    {"snell_divisor", "int snell_divisor(int n, int x) { return x <= 0 ? x + snell_Zero * n : x; }\n", "ivec"},
+    {"snell_divisor", "uint snell_divisor(int n, uint x) { return x == 0u ? uint(snell_Zero * n) : x; }\n", "uvec"},
+    {"snell_value", "float snell_value(int n, float x) { return snell_live(n, x); }\n", "vec"},
+    {"snell_value", "int snell_value(int n, int x) { return x + snell_Zero * n; }\n", "ivec"},
+    {"snell_value", "uint snell_value(int n, uint x) { return x + uint(snell_Zero * n); }\n", "uvec"},
+    {"snell_value", "bool snell_value(int n, bool x) { return int(x) + snell_Zero * n != 0; }\n", "bvec"},
 };
 
 std::string by_component(const MarkText& mark, int size) {
     const std::string name(mark.name), type = std::string(mark.prefix) + std::to_string(size);
-    std::string text = type + " " + name + "(" + type + " x) { return " + type + "(";
+    std::string text = type + " " + name + "(int n, " + type + " x) { return " + type + "(";
     for (int k = 0; k < size; ++k) {
         const std::string component = std::string(".") + "xyzw"[k];
-        text += (k ? ", " : "") + name + "(x" + component + ")";
+        text += (k ? ", " : "") + name + "(n + " + std::to_string(k) + ", x" + component + ")";
     }
     return text + "); }\n";
 }
@@ -81,9 +82,10 @@ std::string undefined_functions() {
     }
     for (const std::string_view type : {"mat2", "mat3", "mat4"}) {
         const std::string t(type);
-        text += t + " snell_value(" + t + " x) { return " + t + "(";
-        for (char column = '0'; column < t.back(); ++column)
-            text += std::string(column > '0' ? ", " : "") + "snell_value(x[" + column + "])";
+        text += t + " snell_value(int n, " + t + " x) { return " + t + "(";
+        for (int column = 0; column < t.back() - '0'; ++column)
+            text += (column ? ", snell_value(n + " : "snell_value(n + ") + std::to_string(4 * column) + ", x[" +
+                    std::to_string(column) + "])";
         text += "); }\n";
     }
     return text;

@@ -175,6 +175,7 @@ std::map<std::string_view, run::Fold> folds(const Program& program, const Unit& 
         double most = 0;
         for (const double value : one->values)
             most = std::max(most, std::isfinite(value) ? std::abs(value) : std::numeric_limits<double>::infinity());
+        // Of several numbers for a scalar, only how large they are.
         known[g.name] = g.type.scalar() && one->values.size() == 1
                             ? run::settled_number(g.type.base, one->values[0], bit)
                             : run::bounded(most, bit);
@@ -182,10 +183,15 @@ std::map<std::string_view, run::Fold> folds(const Program& program, const Unit& 
     return known;
 }
 
+// A matrix takes 16 numbers.
+std::string mark_call(std::string_view function, std::size_t mark) {
+    return std::string(function) + "(" + std::to_string(16 * mark + 1) + ", ";
+}
+
 void write_marks(Unit& u, const run::Decided& decided) {
     const auto function = [&](std::size_t n) -> std::string {
         if (!decided.text[n].empty()) return "(true ? " + decided.text[n] + " : ";
-        return u.marks[n].kind == Mark::Kind::divisor ? "snell_divisor(" : "snell_value(";
+        return mark_call(u.marks[n].kind == Mark::Kind::divisor ? "snell_divisor" : "snell_value", n);
     };
     for (Edit& edit : u.edits)
         for (std::size_t at = edit.before.find(mark_name); at != std::string::npos;
@@ -198,10 +204,14 @@ void write_marks(Unit& u, const run::Decided& decided) {
             after.erase(after.find(')'), 1);
         }
     // Zeros that the translator gave.
-    const auto keep_zeros = [](std::string& text) {
-        constexpr std::string_view zero = "0.0", kept = "snell_value(0.0)";
-        for (std::size_t at = text.find(zero); at != std::string::npos; at = text.find(zero, at + kept.size()))
+    std::size_t number = u.marks.size();
+    const auto keep_zeros = [&](std::string& text) {
+        constexpr std::string_view zero = "0.0";
+        for (std::size_t at = text.find(zero); at != std::string::npos;) {
+            const std::string kept = mark_call("snell_value", number++) + "0.0)";
             text.replace(at, zero.size(), kept);
+            at = text.find(zero, at + kept.size());
+        }
     };
     for (std::size_t n = 0; n < u.marks.size(); ++n)
         if (decided.stay[n] && u.marks[n].step < 0) keep_zeros(u.edit(u.marks[n].last).after);
