@@ -165,7 +165,7 @@ constexpr Mistake mistakes[] = {
 TEST(Errors, StandAtTheUsersOwnWords) {
     std::string error;
     const auto context = HeadlessContext::make({.version = 45}, error);
-    if (!context) GTEST_SKIP() << error;
+    if (!context) GTEST_SKIP() << "no graphics: " << error;
     for (const Mistake& m : mistakes) {
         SCOPED_TRACE(m.name);
         Explained e;

@@ -42,7 +42,7 @@ void link_all(const ContextRequest& request, const glsl::Target& target, const I
               const char* where) {
     std::string error;
     const auto context = HeadlessContext::make(request, error);
-    if (!context) GTEST_SKIP() << "no " << where << " here: " << error;
+    if (!context) GTEST_SKIP() << "no graphics: no " << where << " here: " << error;
     Count count;
     for (const Case& c : cases_of_folder("tests/glsl")) {
         if (impossible.contains(c.name) ||
@@ -77,7 +77,7 @@ TEST(Links, OnEs32) {
 TEST(Links, UntouchedRateIsKnown) {
     std::string error;
     const auto context = HeadlessContext::make({.version = 45}, error);
-    if (!context) GTEST_SKIP() << error;
+    if (!context) GTEST_SKIP() << "no graphics: " << error;
     int linked = 0;
     const std::vector<Case> cases = cases_of_folder("tests/glsl");
     for (const Case& c : cases) linked += build(texts(c.files)).id != 0 ? 1 : 0;

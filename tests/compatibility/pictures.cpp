@@ -141,7 +141,7 @@ protected:
     static void SetUpTestSuite() { shared() = std::make_unique<Oracle>(); }
     static void TearDownTestSuite() { shared().reset(); }
     void SetUp() override {
-        if (!oracle.ready()) GTEST_SKIP() << "no compatibility context here: " << oracle.error();
+        if (!oracle.ready()) GTEST_SKIP() << "no graphics: no compatibility context here: " << oracle.error();
     }
     static std::unique_ptr<Oracle>& shared() {
         static std::unique_ptr<Oracle> oracle;
@@ -197,7 +197,7 @@ TEST_F(Pictures, OfTheCorpusAreTheSame) {
 
 // Initialised uniforms get their values from the translation here, and there are no implicit conversions.
 TEST_F(Pictures, OnOpenGlEsAreThoseOfTheCoreProfile) {
-    if (!oracle.has_es()) GTEST_SKIP() << "no OpenGL ES 3.2 here";
+    if (!oracle.has_es()) GTEST_SKIP() << "no graphics: no OpenGL ES 3.2 here";
     for (const Case& c : cases_of_folder("tests/glsl")) {
         if (no_es_picture.contains(c.name)) continue;
         SCOPED_TRACE(c.name);

@@ -75,7 +75,7 @@ def small(command):
     if {"--list-found", "--apply"} & set(words):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
-        less = {"--size": "48x36", "--reps": "7", "--no-found": "", "--budget": "10"}
+        less = {"--size": "48x36", "--reps": "7", "--no-found": "", "--budget": "60"}
     if "--baked" in words or words[1] == "compare" and any(word.endswith(".glib") for word in words):
         less = {"--size": "48x36"}
     if "--frames" in words:
