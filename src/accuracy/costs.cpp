@@ -141,27 +141,34 @@ Costs costs_of(std::span<const Point> points, double noise) {
 
 std::vector<Verdict> pareto_front(std::span<const Point> points, const Costs& costs) {
     std::vector<Verdict> verdicts(points.size());
+    // Of several reasons the surest one is shown, and of several rungs the cheapest.
+    const auto blame = [&](std::size_t i, Standing standing, std::size_t j) {
+        Verdict& verdict = verdicts[i];
+        if (verdict.standing != Standing::front && verdict.standing < standing) return;
+        if (verdict.standing != standing || costs.middle(j, verdict.by) < 1) verdict = {standing, j};
+    };
+    std::vector<std::size_t> order;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!measured(points[i])) {
             verdicts[i] = {Standing::unknown, nobody};
             continue;
         }
-        // Of several reasons the surest one is shown, and of several rungs the cheapest.
-        const auto blame = [&](Standing standing, std::size_t j) {
-            Verdict& verdict = verdicts[i];
-            if (verdict.standing != Standing::front && verdict.standing < standing) return;
-            if (verdict.standing != standing || costs.middle(j, verdict.by) < 1) verdict = {standing, j};
-        };
-        for (std::size_t j = 0; j < points.size(); ++j) {
-            if (j == i || !measured(points[j])) continue;
-            const Cost cost = costs.of(i, j);
-            if (is_no_worse(points[j], points[i]) && cost == Cost::dearer)
-                blame(Standing::dominated, j);
-            else if (is_better(points[j], points[i]) && cost != Cost::cheaper)
-                blame(cost == Cost::equal ? Standing::saves_none : Standing::unsure, j);
-        }
-        if (std::isinf(points[i].error) && verdicts[i].standing == Standing::front)
+        for (std::size_t j = 0; j < points.size(); ++j)
+            if (j != i && measured(points[j]) && is_no_worse(points[j], points[i]) && costs.of(i, j) == Cost::dearer)
+                blame(i, Standing::dominated, j);
+        if (verdicts[i].standing == Standing::front) order.push_back(i);
+    }
+    ranges::stable_sort(order, {}, [&](std::size_t i) { return points[i].error; });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order) {
+        for (const std::size_t j : front)
+            if (const Cost cost = costs.of(i, j); is_better(points[j], points[i]) && cost != Cost::cheaper)
+                blame(i, cost == Cost::equal ? Standing::saves_none : Standing::unsure, j);
+        if (verdicts[i].standing != Standing::front) continue;
+        if (std::isinf(points[i].error))
             verdicts[i] = {Standing::unknown, nobody};
+        else
+            front.push_back(i);
     }
     return verdicts;
 }

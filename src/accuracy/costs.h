@@ -103,8 +103,8 @@ struct Point {
 enum class Standing {
     front,       // none of the following
     dominated,   // `by` is surely cheaper, and not worse
-    saves_none,  // `by` is more exact at equal cost, so this rung saves nothing
-    unsure,      // `by` is more exact, and this rung is not surely cheaper
+    saves_none,  // `by`, on the front, is more exact at equal cost, so this rung saves nothing
+    unsure,      // `by`, on the front, is more exact, and this rung is not surely cheaper
     unknown,     // error or time is not a number; or the error is infinite, and no other rung is as cheap
 };
 
@@ -116,8 +116,10 @@ struct Verdict {
 
 Costs costs_of(std::span<const Point> points, double noise = 0);
 
-// Errors within a thousandth are equal, and an error that is smaller by less than a hundredth is not better. `costs`
-// are those of the points.
+// From the most exact rung on, those that no rung surely beats, and that are surely cheaper than all that are on the
+// front already: so rungs that are too close to be told apart do not keep a clearly cheaper one away. Errors within a
+// thousandth are equal, and an error that is smaller by less than a hundredth is not better. `costs` are those of the
+// points.
 std::vector<Verdict> pareto_front(std::span<const Point> points, const Costs& costs);
 
 // For each rung of a ladder, whether it is surely more expensive than both neighbours. Always false for the first and

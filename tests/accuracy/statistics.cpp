@@ -152,6 +152,20 @@ TEST(Front, WhatIsNotToldApartIsNotSaidToBeEqual) {
     EXPECT_EQ(verdicts_of({.5, 0}, quiet)[0], (Verdict{Standing::saves_none, 1}));
 }
 
+// A crowd of rungs, each too close to the next, hid the cheap end of the front.
+TEST(Front, NeighboursThatAreNotToldApartDoNotKeepTheCheaperOneAway) {
+    std::vector<std::vector<double>> times(3, std::vector<double>(31));
+    for (std::size_t round = 0; round < 31; ++round) {
+        times[0][round] = .9;                           // surely cheaper than the last
+        times[1][round] = round % 2 == 0 ? .88 : 1.02;  // anything between both
+        times[2][round] = 1;
+    }
+    const auto verdicts = verdicts_of({.03, .02, .01}, times);
+    EXPECT_EQ(verdicts[0].standing, Standing::front);
+    EXPECT_EQ(verdicts[1], (Verdict{Standing::unsure, 2}));
+    EXPECT_EQ(verdicts[2].standing, Standing::front);
+}
+
 TEST(Front, AsManyRoundsAsTheComparisonsNeed) {
     for (std::size_t rungs : {2, 3, 5, 10, 15}) {
         const std::size_t rounds = rounds_for(rungs);

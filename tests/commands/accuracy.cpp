@@ -141,6 +141,10 @@ TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
                   std::string::npos)
             << "the picture that was measured: " << text("out.txt");
     }
+    // Three rounds have no interval; what they say is not denied either.
+    EXPECT_EQ(run("--size 64x64 --reps 3 --budget 4 --no-found --within 100s"), 1);
+    EXPECT_NE(text("out.txt").find("nothing that was measured surely is; the nearest is SHADE="), std::string::npos)
+        << text("out.txt");
     EXPECT_EQ(run("--within soon"), 2);
     for (const char* odd : {"--error nan", "--error inf", "--error -1", "--budget nan"}) EXPECT_EQ(run(odd), 2) << odd;
     EXPECT_EQ(run("--within 5ms --no-time"), 2) << "what is not timed has no cost";

@@ -179,23 +179,22 @@ std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::s
 }
 
 Climbs::Climbs(std::vector<Single> singles, std::span<const Change> changes, std::uint64_t seed) : changes_(changes) {
-    ranges::stable_sort(singles, {}, [](const Single& single) { return single.error; });
-    for (const double limit : error_limits) {
-        Climb climb{limit, {}};
-        ranges::copy_if(singles, std::back_inserter(climb.order),
-                        [&](const Single& single) { return single.error <= limit; });
-        climbs_.push_back(std::move(climb));
-    }
-    for (std::size_t i = 0; i < error_limits.size(); ++i) {
-        Climb climb = climbs_[i];
-        ranges::stable_sort(climb.order, {}, [](const Single& single) { return single.ratio; });
-        climbs_.push_back(std::move(climb));
-    }
     std::mt19937_64 random(seed);
-    for (std::size_t i = 0; i < error_limits.size(); ++i) {
-        Climb climb = climbs_[i];
-        for (std::size_t k = climb.order.size(); k > 1; --k) std::swap(climb.order[k - 1], climb.order[random() % k]);
-        climbs_.push_back(std::move(climb));
+    const auto climb = [&](bool visible, auto order) {
+        for (const double limit : error_limits) {
+            if ((limit > most_flip) != visible) continue;
+            climbs_.push_back({limit, {}});
+            ranges::copy_if(singles, std::back_inserter(climbs_.back().order),
+                            [&](const Single& single) { return single.error <= limit; });
+            order(climbs_.back().order);
+        }
+    };
+    for (const bool visible : {false, true}) {
+        climb(visible, [](std::vector<Single>& order) { ranges::stable_sort(order, {}, &Single::error); });
+        climb(visible, [](std::vector<Single>& order) { ranges::stable_sort(order, {}, &Single::ratio); });
+        climb(visible, [&](std::vector<Single>& order) {
+            for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[random() % k]);
+        });
     }
 }
 

@@ -133,7 +133,9 @@ struct Original {
 struct SearchOptions {
     PlaceOptions places;
     double seconds = 30;
-    int rounds = 31;  // of the times at the end; fewer if they do not fit
+    // Of the times at the end; fewer if they do not fit. All pairs of rungs are compared, so there are more than a
+    // ladder needs.
+    int rounds = 93;
     bool times = true;
     // The pictures that are compared have at most so many pixels: their sides are halved until then. By the time that
     // is granted, not by what is left of it, so that errors do not depend on the machine.
@@ -184,7 +186,8 @@ std::string near_place(std::string_view position);
 // Which combinations of changes are tried, and which rungs are worth more time. No GL.
 
 // Adds one change after the other while the error of the picture stays below a limit. Each climb has another limit, or
-// another order: by error first, then by time, then as a generator with that seed shuffles.
+// another order: by error first, then by time, then as a generator with that seed shuffles. What is plain to see comes
+// last: it is on no front as long as there is anything else.
 class Climbs {
 public:
     struct Single {

@@ -246,7 +246,7 @@ Loading Trials::load(std::span<const std::size_t> changes, ClockKind clock) {
 namespace {
 
 // Few rungs in many rounds: every pair that is compared widens the intervals of all.
-constexpr std::size_t most_timed = 8, most_costs = 8, load_pairs = 3, spare_rounds = 8;
+constexpr std::size_t most_timed = 8, most_costs = 8, load_pairs = 3, spare_rounds = 20;
 constexpr double least_loading = 1;  // milliseconds: less is noise
 
 }  // namespace

@@ -151,7 +151,7 @@ public:
         const std::size_t share = Work::found_rungs(subject.rungs(), !subject.plan.scene.ladders.empty());
         const MeasureOptions measuring = next(share, unused);
         const double per_minute = options_.budget / 60;
-        SearchOptions how{.seconds = measuring.seconds, .rounds = options_.rounds, .times = measuring.times};
+        SearchOptions how{.seconds = measuring.seconds, .rounds = 3 * options_.rounds, .times = measuring.times};
         how.pixels = static_cast<std::size_t>(131072 * std::clamp(per_minute, 1.0, 64.0));
         how.stop = measuring.stop;
         how.report = measuring.report;
@@ -336,8 +336,10 @@ Run add_accuracy(CLI::App& command) {
         ->check(CLI::IsMember({"reference", "scene", "lattice"}));
     add_size(command, options->size, "WIDTHxHEIGHT (default: that of the first scene)");
     command
-        .add_option("--reps", options->rounds,
-                    "rounds, in each of which every rung is timed once; fewer if the budget is too small")
+        .add_option(
+            "--reps", options->rounds,
+            "rounds, in each of which every rung is timed once, three times as many for found rungs; fewer if the "
+            "budget is too small")
         ->check(CLI::Range(3, 10000));
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
         ->check(CLI::Range(1.0, 1e6))

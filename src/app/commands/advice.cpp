@@ -67,7 +67,10 @@ std::string advice_text(const std::string& path, const Bench& bench, const Advic
                                          0);
     const std::vector<std::string> rungs = choices(bench.scene(), sweep.sweep.rungs[advice.rung].variant.rungs);
     const char* kind = !advice.wish.milliseconds ? "the cheapest" : "the most exact";
-    const std::string answer = advice.met ? fmt::format("{} is", kind) : "nothing that was measured is; the nearest is";
+    const bool perhaps = advice.wish.milliseconds && sweep.rungs[advice.rung].milliseconds <= *advice.wish.milliseconds;
+    const std::string answer = advice.met ? fmt::format("{} is", kind)
+                               : perhaps  ? "nothing that was measured surely is; the nearest is"
+                                          : "nothing that was measured is; the nearest is";
     return "\n" +
            content::paragraph(fmt::format("{}: {} {}", wish_text(advice.wish), answer, fmt::join(rungs, " ")), 0) +
            found_text(advice, sweep) + "  " + render_line(bench, path, rungs) + "\n";
