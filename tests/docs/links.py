@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Links of README.md, CHANGELOG.md, docs/ and scenes/ lead to files and headings that exist: links.py SOURCE_FOLDER"""
+"""Links of README.md, CHANGELOG.md, docs/ and scenes/ lead to files and headings that exist, and so do the names of files
+and tests in docs/: links.py SOURCE_FOLDER"""
 
 import collections
 import pathlib
@@ -22,10 +23,35 @@ def anchors(text):
     return found
 
 
+# A file of the repository as prose names it; a placeholder such as NAME or … in it stands for any text.
+FILE = re.compile(r"(?<![\w./-])((?:src|tests|parser|tools|shaders|cmake|editors)/[\w./…-]*\w)")
+TEST = re.compile(r"`([A-Z]\w+)\.([A-Z]\w+)(\*?)`")
+
+
+def missing_names(text, root, tests):
+    """The files and tests that a page names and that are not there."""
+    for name in FILE.findall(LINK.sub("]", text)):
+        pattern = re.sub(r"NAME|…", "*", name)
+        if not any(root.glob(pattern)) and not any(root.glob(pattern + ".*")):
+            yield name, "there is no such file"
+    for suite, test, more in TEST.findall(text):
+        if suite in tests and not any(one == test or more and one.startswith(test) for one in tests[suite]):
+            yield f"{suite}.{test}", "there is no such test"
+
+
+def read_tests(root):
+    tests = collections.defaultdict(set)
+    for file in root.glob("tests/**/*.cpp"):
+        for suite, test in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", file.read_text(), re.MULTILINE):
+            tests[suite].add(test)
+    return tests
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     pages = [root / "README.md", root / "CHANGELOG.md", *root.glob("docs/**/*.md"), *root.glob("scenes/**/*.md")]
     texts = {page: page.read_text() for page in pages}
+    tests = read_tests(root)
     links = wrong = 0
     for page, text in sorted(texts.items()):
         for link in LINK.findall(CODE.sub("", FENCE.sub("", text))):
@@ -42,6 +68,10 @@ def main():
                 continue
             wrong += 1
             print(f"{page.relative_to(root)}: {link}: {reason}")
+        if root / "docs" in page.parents:
+            for name, reason in missing_names(text, root, tests):
+                wrong += 1
+                print(f"{page.relative_to(root)}: {name}: {reason}")
     print(f"{links} links of {len(pages)} pages, {wrong} wrong")
     # Without this, a change of the pages' form that hides all links would pass.
     return wrong > 0 or links < 100
