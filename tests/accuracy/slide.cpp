@@ -273,6 +273,14 @@ TEST(Slide, NothingIsBelowTheFloor) {
     EXPECT_EQ(slide.plot.floor, 1e-3);
     EXPECT_EQ(slide.plot.points[1].error, 1e-3);
     EXPECT_EQ(count_of(slide, "residual of the reference"), 1U);
+
+    // Points stand at the floor all along, with names: it is called by its name below them.
+    std::vector<Rung> exact{{"rough", 10, 2e-3}};
+    for (const int time : {11, 14, 18, 23, 29, 37})
+        exact.push_back({"as exact as can be " + std::to_string(time), static_cast<double>(time), 1e-5});
+    SweepResult low = sweep_of("WAY", exact);
+    low.whole_residual = 1e-3;
+    EXPECT_EQ(count_of(slide_with({low}), "residual of the reference"), 1U);
 }
 
 // A found rung was compared with the scene as it is; on the slide its error is from the ladders' reference.

@@ -238,7 +238,7 @@ private:
     void floor_label() {
         if (!band_) return;
         const double w = page_.width(plot_.floor_words, em_), h = line_height * em_;
-        for (const double top : {band_->y0 + em_ / 8, band_->y0 - row_ - em_ / 16})
+        for (const double top : {band_->y0 + em_ / 8, frame_.y1 - h - em_ / 8, band_->y0 - row_ - em_ / 16})
             for (const double part : {1., 0., .5, .75, .25}) {
                 const double x = frame_.x0 + .4 * em_ + part * (frame_.width() - .8 * em_ - w);
                 const Area area{x, top, x + w, top + h};
