@@ -32,10 +32,8 @@ std::vector<std::string> files_read_by(const std::string& path, const Access& ac
     Files files(scene_folder(path), access);
     Sources sources;
     Diagnostics unheard(access.limits);  // these are reported when the scene is opened
-    auto parsed = parse_document(path, files, sources, unheard);
-    if (!parsed) return {};
-    const Plan plan = make_plan(std::move(parsed->scene), files, sources, unheard);
-    return used_files(plan, sources, files);
+    const auto plan = read_plan(path, files, sources, unheard);
+    return plan ? used_files(*plan, sources, files) : std::vector<std::string>();
 }
 
 Access access_to(const std::string& path, Access access, bool grade) {
@@ -50,12 +48,11 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
     document->diagnostics = Diagnostics(access.limits);
     document->path = path;
     document->files = std::make_unique<Files>(scene_folder(path), access);
-    auto parsed = parse_document(path, *document->files, document->sources, document->diagnostics);
-    if (!parsed) return document;
-    Plan plan = make_plan(std::move(parsed->scene), *document->files, document->sources, document->diagnostics);
-    if (choose) choose(plan.scene, plan.rungs);
-    if (planned) planned(plan, *document);
-    document->runtime.emplace(std::move(plan), *document->files, document->sources, caps, document->diagnostics,
+    auto plan = read_plan(path, *document->files, document->sources, document->diagnostics);
+    if (!plan) return document;
+    if (choose) choose(plan->scene, plan->rungs);
+    if (planned) planned(*plan, *document);
+    document->runtime.emplace(std::move(*plan), *document->files, document->sources, caps, document->diagnostics,
                               options);
     report_gl_errors(document->diagnostics);
     document->controls = document->runtime->controls();

@@ -47,20 +47,18 @@ public:
     }
 
     void read_scene() {
-        auto parsed = parse_document(project_.path, *project_.files, project_.sources, project_.diagnostics);
-        if (!parsed) {
-            project_.scene_file = project_.sources.add(project_.path, "");
+        if (auto plan = read_plan(project_.path, *project_.files, project_.sources, project_.diagnostics)) {
+            project_.plan = std::move(*plan);  // its text is the first source
+        } else {
+            project_.sources.add(project_.path, "");
             project_.plan.scene.passes.resize(1);
-            return;
         }
-        project_.scene_file = parsed->file;
-        project_.plan = make_plan(std::move(parsed->scene), *project_.files, project_.sources, project_.diagnostics);
     }
 
     // A program of one stage, drawn by nothing.
     void read_alone(std::string text, std::optional<Stage> stage) {
         project_.alone = true;
-        project_.scene_file = project_.sources.add("", "");
+        project_.sources.add("", "");  // of the scene
         const FileId file = project_.sources.add(project_.path, std::move(text));
         const Span whole{file, 0, 0};
         Plan& plan = project_.plan;

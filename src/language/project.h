@@ -39,7 +39,7 @@ struct Project {
     bool alone = false;
     std::unique_ptr<Files> files;
     Sources sources;
-    FileId scene_file = 0;
+    static constexpr FileId scene_file = 0;  // what is read first
     Plan plan;  // its scene, and programs with the texts of their shaders
     // In the order of Scene::programs; not `ok` where there are no shaders, or where they have errors.
     std::vector<glsl::Translation> translations;

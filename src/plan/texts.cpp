@@ -41,6 +41,12 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
     return ParsedDocument{file, std::move(parsed.scene)};
 }
 
+std::optional<Plan> read_plan(const std::string& path, Files& files, Sources& sources, Diagnostics& diagnostics) {
+    auto parsed = parse_document(path, files, sources, diagnostics);
+    if (!parsed) return std::nullopt;
+    return make_plan(std::move(parsed->scene), files, sources, diagnostics);
+}
+
 std::string scene_folder(const std::string& path) { return std::filesystem::path(path).parent_path().string(); }
 
 glsl::IncludeReader shader_includes(Files& files) {

@@ -26,6 +26,8 @@ struct ParsedDocument {
 // Returns nullopt if the file cannot be read.
 std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
                                              Diagnostics& diagnostics);
+// Parses and plans, which is all of opening a scene that needs no driver. Returns nullopt if the file cannot be read.
+std::optional<Plan> read_plan(const std::string& path, Files& files, Sources& sources, Diagnostics& diagnostics);
 
 // The folder that file names in the scene are relative to.
 std::string scene_folder(const std::string& path);

@@ -22,9 +22,7 @@ protected:
         const std::string path = folder.path("s.glib");
         files.emplace(scene_folder(path));
         Diagnostics diagnostics;
-        auto parsed = parse_document(path, *files, sources, diagnostics);
-        ASSERT_TRUE(parsed);
-        plan = make_plan(std::move(parsed->scene), *files, sources, diagnostics);
+        plan = read_plan(path, *files, sources, diagnostics).value();
         EXPECT_FALSE(diagnostics.has_errors()) << render(diagnostics, sources);
     }
     void read_shader(const std::string& text) {

@@ -30,10 +30,9 @@ void plan(benchmark::State& state, const char* path) {
         Files files(scene_folder(path));
         Sources sources;
         Diagnostics diagnostics;
-        auto parsed = parse_document(path, files, sources, diagnostics);
-        if (!parsed) return state.SkipWithError("can't be read");
-        const Plan made = make_plan(std::move(parsed->scene), files, sources, diagnostics);
-        benchmark::DoNotOptimize(made.meshes.data());
+        const auto made = read_plan(path, files, sources, diagnostics);
+        if (!made) return state.SkipWithError("can't be read");
+        benchmark::DoNotOptimize(made->meshes.data());
         bytes = files.counters().bytes;
     }
     beside_copy(state, bytes);

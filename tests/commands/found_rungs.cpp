@@ -58,8 +58,7 @@ protected:
 
 struct Read {
     Read(const std::string& path, const gl::Caps& caps) : files(scene_folder(path)) {
-        auto parsed = parse_document(path, files, sources, unheard);
-        plan = make_plan(std::move(parsed->scene), files, sources, unheard);
+        plan = read_plan(path, files, sources, unheard).value();
         changes = find_changes(plan, files, sources);
         fill_averages({path, plan, files, sources}, changes, caps);
     }

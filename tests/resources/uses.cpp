@@ -76,12 +76,11 @@ protected:
             Files files(scene_folder(path));
             Sources sources;
             Diagnostics diagnostics;
-            auto parsed = parse_document(path, files, sources, diagnostics);
-            if (!parsed) continue;
-            const Plan plan = make_plan(std::move(parsed->scene), files, sources, diagnostics);
-            for (const PlannedProgram& p : plan.programs)
+            const auto plan = read_plan(path, files, sources, diagnostics);
+            if (!plan) continue;
+            for (const PlannedProgram& p : plan->programs)
                 if (p.readable && !p.stages.empty())
-                    judge(p.stages, sources, files, &plan.scene.programs[p.program], path);
+                    judge(p.stages, sources, files, &plan->scene.programs[p.program], path);
         }
     }
 

@@ -122,7 +122,7 @@ struct FoundResult {
     std::vector<const FoundRung*> without_effect() const;
 };
 
-// The scene whose rungs are sought: what parse_document and make_plan gave for it, with the rungs that are chosen.
+// The scene whose rungs are sought: what read_plan gave for it, with the rungs that are chosen.
 struct Original {
     std::string path;
     const Plan& plan;

@@ -80,17 +80,16 @@ Trial Trials::open(std::span<const std::size_t> changes, bool shared) {
     access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
     trial.files = std::make_unique<Files>(original_.files.folder(), std::move(access));
     trial.sources = std::make_unique<Sources>();
-    auto parsed = parse_document(original_.path, *trial.files, *trial.sources, trial.problems);
-    if (!parsed) {
+    auto plan = read_plan(original_.path, *trial.files, *trial.sources, trial.problems);
+    if (!plan) {
         trial.refused = "the scene cannot be read";
         return trial;
     }
-    Plan plan = make_plan(std::move(parsed->scene), *trial.files, *trial.sources, trial.problems);
-    carry_over(original_.plan.rungs, original_.plan.scene, plan.rungs, plan.scene);
+    carry_over(original_.plan.rungs, original_.plan.scene, plan->rungs, plan->scene);
     BenchSettings settings = settings_;
     if (!shared) settings.previous = nullptr;
     gl::take_errors();
-    trial.bench = std::make_unique<Bench>(std::move(plan), *trial.files, *trial.sources, caps_, settings);
+    trial.bench = std::make_unique<Bench>(std::move(*plan), *trial.files, *trial.sources, caps_, settings);
     add_problems(*trial.bench, trial.problems);
     if (scene_.bench) judge(trial);
     return trial;

@@ -86,8 +86,8 @@ std::unique_ptr<Subject> read_subject(const std::string& path, const AccuracyOpt
     subject->path = path;
     subject->files = std::make_unique<Files>(scene_folder(path), options.access);
     Diagnostics diagnostics;
-    if (auto parsed = parse_document(path, *subject->files, subject->sources, diagnostics)) {
-        subject->plan = make_plan(std::move(parsed->scene), *subject->files, subject->sources, diagnostics);
+    if (auto plan = read_plan(path, *subject->files, subject->sources, diagnostics)) {
+        subject->plan = std::move(*plan);
         subject->read = used_files(subject->plan, subject->sources, *subject->files);
         for (const std::string& choice : options.choices)
             choose_rung(subject->plan.rungs, subject->plan.scene, choice, diagnostics);

@@ -66,15 +66,14 @@ Checked check_scene(const std::string& path, const CheckOptions& options, const 
     document.path = path;
     document.diagnostics = Diagnostics(access.limits);
     document.files = std::make_unique<Files>(scene_folder(path), access);
-    auto parsed = parse_document(path, *document.files, document.sources, document.diagnostics);
-    if (!parsed) return checked;
-    if (options.dump == "tokens") checked.dump = dump_tokens(parsed->file, document.sources);
-    if (options.dump == "statements") checked.dump = dump_statements(parsed->file, document.sources);
-    if (options.dump == "scene") checked.dump = dump_scene(parsed->scene);
     if (options.dump.empty() || options.dump == "plan") {
-        const Plan plan = make_plan(std::move(parsed->scene), *document.files, document.sources, document.diagnostics);
-        if (options.dump == "plan") checked.dump = dump_plan(plan, document.sources);
-        if (options.dump.empty() && options.lint) lint(plan, document);
+        const auto plan = read_plan(path, *document.files, document.sources, document.diagnostics);
+        if (plan && options.dump == "plan") checked.dump = dump_plan(*plan, document.sources);
+        if (plan && options.dump.empty() && options.lint) lint(*plan, document);
+    } else if (const auto parsed = parse_document(path, *document.files, document.sources, document.diagnostics)) {
+        if (options.dump == "tokens") checked.dump = dump_tokens(parsed->file, document.sources);
+        if (options.dump == "statements") checked.dump = dump_statements(parsed->file, document.sources);
+        if (options.dump == "scene") checked.dump = dump_scene(parsed->scene);
     }
     document.diagnostics.sort();
     return checked;

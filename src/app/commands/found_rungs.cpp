@@ -62,15 +62,15 @@ std::unique_ptr<Found> find_in(const std::string& path, const AccuracyOptions& o
     auto found = std::make_unique<Found>(path, options.access);
     Diagnostics diagnostics(options.access.limits);
     bool chosen = true;
-    auto parsed = parse_document(path, found->files, found->sources, diagnostics);
-    if (parsed) {
-        found->plan = make_plan(std::move(parsed->scene), found->files, found->sources, diagnostics);
+    auto plan = read_plan(path, found->files, found->sources, diagnostics);
+    if (plan) {
+        found->plan = std::move(*plan);
         for (const std::string& choice : options.choices)
             chosen = choose_rung(found->plan.rungs, found->plan.scene, choice, diagnostics) && chosen;
         found->changes = find_changes(found->plan, found->files, found->sources);
     }
     print_errors(diagnostics, found->sources);
-    if (!parsed || !chosen) return nullptr;
+    if (!plan || !chosen) return nullptr;
     found->errors = diagnostics.has_errors() || print_shader_errors(path, options.access);
     return found;
 }

@@ -173,8 +173,7 @@ bool has_controls(std::string_view text) {
 // The scene as far as it can be read.
 struct Reading {
     explicit Reading(const std::string& path) : files(scene_folder(path)) {
-        if (auto parsed = parse_document(path, files, sources, unheard))
-            plan = make_plan(std::move(parsed->scene), files, sources, unheard);
+        if (auto read = read_plan(path, files, sources, unheard)) plan = std::move(*read);
     }
 
     Files files;

@@ -36,12 +36,11 @@ std::string shown_path(const std::string& path) {
 Used used_by(const std::string& scene, Files& files) {
     Sources sources;
     Diagnostics unheard(files.limits());  // these are reported when the scene is opened
-    auto parsed = parse_document(scene, files, sources, unheard);
-    if (!parsed) return {{}, {}, fmt::format("cannot read '{}'", shown_path(scene))};
-    const Plan plan = make_plan(std::move(parsed->scene), files, sources, unheard);
-    Used used{used_files(plan, sources, files), {}, {}};
-    for (Index i = 0; i < plan.scene.textures.size(); ++i)
-        for (std::string& path : texture_identity(plan.scene, i, files).files) used.images.insert(std::move(path));
+    const auto plan = read_plan(scene, files, sources, unheard);
+    if (!plan) return {{}, {}, fmt::format("cannot read '{}'", shown_path(scene))};
+    Used used{used_files(*plan, sources, files), {}, {}};
+    for (Index i = 0; i < plan->scene.textures.size(); ++i)
+        for (std::string& path : texture_identity(plan->scene, i, files).files) used.images.insert(std::move(path));
     return used;
 }
 

@@ -6,8 +6,7 @@ accuracy::Bench& AccuracyTest::bench_of(const std::string& path, int width, int 
     bench.reset();
     read = std::make_unique<Read>();
     read->files = std::make_unique<Files>(scene_folder(path));
-    auto parsed = parse_document(path, *read->files, read->sources, read->diagnostics);
-    if (parsed) read->plan = make_plan(std::move(parsed->scene), *read->files, read->sources, read->diagnostics);
+    if (auto plan = read_plan(path, *read->files, read->sources, read->diagnostics)) read->plan = std::move(*plan);
     EXPECT_FALSE(read->diagnostics.has_errors()) << render(read->diagnostics, read->sources);
     bench = std::make_unique<accuracy::Bench>(read->plan, *read->files, read->sources, caps,
                                               accuracy::BenchSettings{width, height, 0, {}});

@@ -63,8 +63,7 @@ protected:
         access.instead = std::make_shared<const Texts>(instead);
         Read now;
         now.files = std::make_unique<Files>(scene_folder(path_), access);
-        auto parsed = parse_document(path_, *now.files, now.sources, now.diagnostics);
-        now.plan = make_plan(std::move(parsed->scene), *now.files, now.sources, now.diagnostics);
+        now.plan = read_plan(path_, *now.files, now.sources, now.diagnostics).value();
         Bench drawn(now.plan, *now.files, now.sources, caps, BenchSettings{160, 160, 0, {}});
         const auto picture = drawn.picture({now.plan.rungs, {}});
         EXPECT_FALSE(drawn.problems().has_errors()) << render(drawn.problems(), now.sources);
@@ -74,9 +73,7 @@ protected:
     std::vector<Change> find(Sources& sources) {
         Files files(scene_folder(path_));
         Diagnostics diagnostics;
-        auto parsed = parse_document(path_, files, sources, diagnostics);
-        const Plan plan = make_plan(std::move(parsed->scene), files, sources, diagnostics);
-        return find_changes(plan, files, sources);
+        return find_changes(read_plan(path_, files, sources, diagnostics).value(), files, sources);
     }
 
     // The last of the changes that the lint advises, or of that kind: the one that makes all of its edits.

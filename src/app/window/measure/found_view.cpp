@@ -127,9 +127,9 @@ void FoundView::begin(Document& scene, const Stand& stand) {
     sought.at = circumstances(stand);
     sought.rungs = scene.controls.rungs;
     Diagnostics unheard;  // the window shows those of the scene
-    auto parsed = parse_document(path_, sought.files, sought.sources, unheard);
-    if (!parsed) return end("The scene cannot be read.");
-    sought.plan = make_plan(std::move(parsed->scene), sought.files, sought.sources, unheard);
+    auto plan = read_plan(path_, sought.files, sought.sources, unheard);
+    if (!plan) return end("The scene cannot be read.");
+    sought.plan = std::move(*plan);
     carry_over(scene.controls.rungs, scene.scene(), sought.plan.rungs, sought.plan.scene);
     sought.changes = accuracy::find_changes(sought.plan, sought.files, sought.sources);
     const auto start = std::chrono::steady_clock::now();
