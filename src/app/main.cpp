@@ -80,10 +80,5 @@ int main(int argc, char** argv) {
         return exit_usage;
     }
     const bool painted = choose_colors(request.color);
-    try {
-        return printed(request.run(), painted);
-    } catch (const std::exception& error) {
-        if (short_of_memory()) out_of_memory();  // a thread that gets no stack, for example
-        return complain(exit_input, error.what());
-    }
+    return status_of([&] { return printed(request.run(), painted); });
 }

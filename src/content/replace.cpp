@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "src/content/files.h"
-#include "src/content/pipes.h"
+#include "src/content/process.h"
 
 namespace snell::content {
 

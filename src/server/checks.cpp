@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto typing_rest = 30ms, driver_rest = 300ms;
-constexpr auto most_time = 60s;  // on a busy machine, too
+constexpr double most_seconds = 60;  // on a busy machine, too
 
 Checked without_driver(const Scene& scene, const Access& access) {
     language::Project project =
@@ -59,21 +59,21 @@ Scene* Checks::current() const {
     return found == scenes.end() ? nullptr : &*found;
 }
 
-Clock::time_point Checks::due() const { return background_.busy() ? background_.deadline() : next().at; }
+Clock::time_point Checks::due() const { return background_.running() ? background_.deadline() : next().at; }
 
 void Checks::go_on() {
     if (next().at <= Clock::now()) state_.workspace.arrange();
     if (state_.workspace.dropped()) publish();
-    if (background_.busy()) {
+    if (background_.running()) {
         const Scene* scene = current();
         const Next waiting = next();
         const bool preceded = driver_ && waiting.scene && !waiting.driver;
         if (!scene || scene->changed > began_ || preceded)
             background_.end();
-        else if (const auto result = background_.poll())
-            take(*result);
+        else if (const auto ended = background_.poll())
+            take(ended->status == 0 ? ended->output : "");
     }
-    if (background_.busy()) return;
+    if (background_.running()) return;
     if (const Next waiting = next(); waiting.scene && waiting.at <= Clock::now()) begin(waiting);
 }
 
@@ -81,8 +81,11 @@ void Checks::begin(const Next& next) {
     path_ = next.scene->path;
     driver_ = next.driver;
     began_ = Clock::now();
-    const auto work = [&] { return checked(state_, *next.scene, next.driver); };
-    if (!background_.start(work, most_time)) take("");
+    const auto work = [&](std::string& result) {
+        result = checked(state_, *next.scene, next.driver);
+        return 0;
+    };
+    if (!background_.start(work, {.seconds = most_seconds, .background = true}).empty()) take("");
 }
 
 void Checks::take(const std::string& result) {

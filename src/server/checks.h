@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "src/content/process.h"
 #include "src/server/state.h"
-#include "src/server/wire/background.h"
 
 namespace snell::server {
 
@@ -31,7 +31,7 @@ private:
     void publish();
 
     State& state_;
-    Background background_;
+    content::Process background_;
     std::string path_;  // of the scene that is being checked
     bool driver_ = false;
     Clock::time_point began_;

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "src/content/pipes.h"
+#include "src/content/process.h"
 #include "src/server/checks.h"
 #include "src/server/session.h"
 

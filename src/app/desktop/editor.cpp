@@ -1,22 +1,15 @@
 #include "src/app/desktop/editor.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-
-extern char** environ;
 
 namespace snell {
 
@@ -69,39 +62,6 @@ bool runnable(const std::string& program) {
     return false;
 }
 
-struct Spawned {
-    int error = 0;  // an error number as of errno; 0 if the process runs
-    pid_t process = 0;
-};
-
-// The process gets a session of its own, so that Ctrl-C in snell's terminal does not end it.
-Spawned spawn(const std::vector<std::string>& words) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawnattr_t how;
-    posix_spawn_file_actions_init(&files);
-    posix_spawnattr_init(&how);
-    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    sigset_t none, pipes;
-    sigemptyset(&none);
-    sigemptyset(&pipes);
-    sigaddset(&pipes, SIGPIPE);
-    posix_spawnattr_setsigmask(&how, &none);
-    posix_spawnattr_setsigdefault(&how, &pipes);
-    short flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF;
-#ifdef POSIX_SPAWN_SETSID
-    flags = static_cast<short>(flags | POSIX_SPAWN_SETSID);
-#endif
-    posix_spawnattr_setflags(&how, flags);
-    Spawned spawned;
-    spawned.error = posix_spawnp(&spawned.process, arguments[0], &files, &how, arguments.data(), environ);
-    posix_spawnattr_destroy(&how);
-    posix_spawn_file_actions_destroy(&files);
-    return spawned;
-}
-
 }  // namespace
 
 std::string editor_of_environment() {
@@ -149,21 +109,19 @@ Started Editor::open(const std::string& file, int line, int column) {
             return {{}, name + " needs a terminal, and x-terminal-emulator and xterm are not there"};
         command.words.insert(command.words.begin(), {terminal, "-e"});
     }
-    const Spawned spawned = spawn(command.words);
-    if (spawned.error != 0)
-        return {{}, fmt::format("cannot start {}: {} (set VISUAL to an editor)", name, std::strerror(spawned.error))};
-    running_.push_back({spawned.process, name});
-    return {name, {}};
+    running_.push_back({{}, name});
+    const std::string wrong = running_.back().process.start(command.words, {.stays = true});
+    if (wrong.empty()) return {name, {}};
+    running_.pop_back();
+    return {{}, fmt::format("cannot start {}: {} (set VISUAL to an editor)", name, wrong)};
 }
 
 std::string Editor::look() {
     std::string said;
-    std::erase_if(running_, [&](const Running& editor) {
-        int status = 0;
-        const pid_t ended = waitpid(editor.process, &status, WNOHANG);
-        if (ended == editor.process && WIFEXITED(status) && WEXITSTATUS(status) != 0)
-            said = fmt::format("{} ended with status {}", editor.name, WEXITSTATUS(status));
-        return ended != 0;
+    std::erase_if(running_, [&](Running& editor) {
+        const auto ended = editor.process.poll();
+        if (ended && ended->status > 0) said = fmt::format("{} ended with status {}", editor.name, ended->status);
+        return ended.has_value();
     });
     return said;
 }

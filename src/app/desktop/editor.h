@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <sys/types.h>
+#include "src/content/process.h"
 
 namespace snell {
 
@@ -38,7 +38,7 @@ public:
 
 private:
     struct Running {
-        pid_t process = 0;
+        content::Process process;  // in a session of its own, so that Ctrl-C in snell's terminal does not end it
         std::string name;
     };
     std::string name_;

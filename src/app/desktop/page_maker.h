@@ -1,10 +1,10 @@
 // Makes pages by `snell web` in a process of its own, because a browser's OpenGL needs another context than the window.
 #pragma once
 
-#include <sys/types.h>
-
 #include <string>
 #include <vector>
+
+#include "src/content/process.h"
 
 namespace snell {
 
@@ -13,13 +13,7 @@ std::string page_file(const std::string& name);
 
 class PageMaker {
 public:
-    PageMaker() = default;
-    // Ends the process if it runs; a page that was there stays as it was.
-    ~PageMaker();
-    PageMaker(const PageMaker&) = delete;
-    PageMaker& operator=(const PageMaker&) = delete;
-
-    bool busy() const { return process_ > 0; }
+    bool busy() const { return process_.running(); }
     // Starts it for page_file(page), with these arguments after those of the page. Returns "" or the error: a file is
     // replaced only if it is named in full.
     std::string start(const std::string& page, const std::vector<std::string>& arguments);
@@ -27,11 +21,8 @@ public:
     std::string look();
 
 private:
-    void read();
-
-    pid_t process_ = 0;
-    int output_ = -1;
-    std::string page_, said_;
+    content::Process process_;  // ends with the object; a page that was there stays as it was
+    std::string page_;
 };
 
 }  // namespace snell

@@ -166,8 +166,13 @@ private:
         return rubric.timeout * static_cast<double>(3 * rubric.pictures.size() + 2 * rubric.items.size() + 3) + 10;
     }
 
-    ProcessLimits limits(std::size_t jobs) const {
-        return {jobs, most_seconds(), static_cast<std::uint64_t>(options_.gigabytes * 1e9), Interrupt::came};
+    Apart apart(std::size_t jobs) const {
+        return {jobs,
+                {.seconds = most_seconds(),
+                 .bytes = static_cast<std::uint64_t>(options_.gigabytes * 1e9),
+                 .most_output = 4096,
+                 .captured = true},
+                Interrupt::came};
     }
 
     bool judge_reference(const std::string& common) {
@@ -179,7 +184,7 @@ private:
         const ToJudge work = work_on(key, "", grades_.rubric.reference, folder, "");
         bool graphics = true;
         run_apart(
-            1, limits(1), [&](std::size_t) { return judge(work); },
+            1, apart(1), [&](std::size_t) { return judge(work); },
             [&](std::size_t, const EndedProcess& ended) {
                 graphics = ended.status != exit_graphics;
                 grades_.reference = result_of(ended, folder, key, "");
@@ -211,7 +216,7 @@ private:
         if (open.size() > jobs) content::open_image_module();
         bool graphics = true;
         run_apart(
-            open.size(), limits(jobs),
+            open.size(), apart(jobs),
             [&](std::size_t k) {
                 const GradedSubmission& graded = grades_.all[open[k]];
                 const std::string folder = folder_of(graded.submission);

@@ -2,31 +2,27 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 
+#include "src/content/process.h"
+
 namespace snell::app {
 
-struct EndedProcess {
-    int status = -1;        // the exit status; -1: it was ended by a signal
-    int signal = 0;         // that ended it
-    bool too_long = false;  // it was ended because its time was up
-    bool again = false;     // it ended by a signal once before
-    std::string output;     // the end of what it printed
+struct EndedProcess : content::Ended {
+    bool again = false;  // it ended by a signal once before
 };
 
-struct ProcessLimits {
+struct Apart {
     std::size_t at_once = 1;
-    double seconds = 10;       // a process that runs longer is ended
-    std::uint64_t bytes = 0;   // of memory that it may ask for beyond that of this process; 0: no limit
+    content::ProcessLimits limits;
     bool (*stop)() = nullptr;  // ends all of them, without a call of `done`, once it is true
 };
 
 // Calls `work(k)` for 0 ≤ k < count in copies of this process, whose return value is the copy's exit status, and `done`
 // here when it has ended. One that ends by a signal of its own is tried once more. There must be neither threads nor a
 // context yet, because they are not copied.
-void run_apart(std::size_t count, const ProcessLimits& limits, const std::function<int(std::size_t)>& work,
+void run_apart(std::size_t count, const Apart& how, const std::function<int(std::size_t)>& work,
                const std::function<void(std::size_t, const EndedProcess&)>& done);
 
 // Why the process of a submission ended.

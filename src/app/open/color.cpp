@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "src/content/pipes.h"
+#include "src/content/process.h"
 
 namespace snell {
 

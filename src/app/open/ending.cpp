@@ -117,6 +117,15 @@ void out_of_memory() {
     _exit(exit_input);
 }
 
+int status_of(const std::function<int()>& work) {
+    try {
+        return work();
+    } catch (const std::exception& error) {
+        if (short_of_memory()) out_of_memory();  // a thread that gets no stack, for example
+        return complain(exit_input, error.what());
+    }
+}
+
 void watch_memory() {
     std::set_new_handler(out_of_memory);
     for (const int signal : {SIGSEGV, SIGABRT, SIGBUS}) {

@@ -67,6 +67,9 @@ constexpr std::size_t whole_driver = std::size_t{400} << 20;
 // and libraries. No file is left incomplete: files are written whole or not at all.
 [[noreturn]] void out_of_memory();
 
+// Returns the status of the work, or prints the exception that ends it.
+int status_of(const std::function<int()>& work);
+
 // Ctrl-C in long runs that keep what they have done.
 
 // While it exists, the first Ctrl-C is noted, and a second one ends the process.

@@ -14,7 +14,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/open/complain.h"
-#include "src/app/page/apart.h"
+#include "src/app/open/ending.h"
 #include "src/app/page/encoder.h"
 #include "src/app/page/page.h"
 #include "src/app/picture/outputs.h"
@@ -23,6 +23,7 @@
 #include "src/content/files.h"
 #include "src/content/html_page.h"
 #include "src/content/image/open_module.h"
+#include "src/content/process.h"
 #include "src/content/replace.h"
 #include "src/content/table.h"
 #include "src/content/text_forms.h"
@@ -142,13 +143,20 @@ private:
 
 // Returns the row of the scene; `status` is an error that ends the gallery.
 GalleryRow row_of(const GalleryOptions& options, const Exhibit& exhibit, const std::string& page, Exit& status) {
-    const Apart ended = apart([&](std::string& result) {
-        PageOfGallery made(options, exhibit, page);
-        const Exit exit = made.make();
-        result = row_text(made.row());
-        return exit;
-    });
-    GalleryRow row = read_row(ended.result);
+    // In a process of its own, because a scene may never end, or end the program.
+    content::Process apart;
+    apart.start(
+        [&](std::string& result) {
+            return status_of([&] {
+                PageOfGallery made(options, exhibit, page);
+                const Exit exit = made.make();
+                result = row_text(made.row());
+                return exit;
+            });
+        },
+        {});
+    const content::Ended ended = apart.wait();
+    GalleryRow row = read_row(ended.output);
     if (ended.status == exit_graphics || ended.status == exit_input) status = static_cast<Exit>(ended.status);
     if (ended.status != exit_fine)
         row = {utf8::printable(fs::path(exhibit.scene).stem().string()),
