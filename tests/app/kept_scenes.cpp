@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
+#include <cmath>
 #include <random>
 #include <thread>
 
 #include <sys/stat.h>
 
+#include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
 
 namespace snell {
@@ -28,14 +29,17 @@ protected:
         const fs::directory_iterator all(folder_);
         return static_cast<std::size_t>(std::distance(begin(all), end(all)));
     }
-    static KeptScene some(double value = .1) {
-        KeptScene kept;
-        kept.set.values["Glass.uEta"] = {{value, 1. / 3, 1e-300}, {.5, .5, .5}, -3, 500, 0, 1};
-        kept.set.rungs["F"] = {"exact", "cheap"};
-        kept.view = "rotate_x=30,object2.y=.5";
-        kept.objects[2] = "Torus#0";
-        kept.axes = false;
-        return kept;
+    static Remembered some(double value = .1) {
+        return {{{"--set Glass.uEta", numbers_text({value, 1. / 3, 1e-300})},
+                 {"--range Glass.uEta", "-3,500"},
+                 {"--ladder F", "exact"},
+                 {"--view rotate_x", "30"},
+                 {"--view object2.y", "0.5"},
+                 {"--axes", "off"}},
+                {{"--set Glass.uEta", "0.5,0.5,0.5"},
+                 {"--range Glass.uEta", "0,1"},
+                 {"--ladder F", "cheap"},
+                 {"--view object2", "Torus=#0"}}};
     }
 
     Scratch disk_;
@@ -49,7 +53,7 @@ TEST_F(KeptScenes, WhatIsNoFileIsLeftAlone) {
     fs::remove(kept);
     ASSERT_EQ(mkfifo(kept.c_str(), 0600), 0);
     EXPECT_NE(write_kept(folder_, one, some()), "") << "and it does not wait for a reader";
-    EXPECT_EQ(read_kept(folder_, one), KeptScene{});
+    EXPECT_EQ(read_kept(folder_, one), Remembered{});
     EXPECT_TRUE(fs::is_fifo(kept));
     fs::remove(kept);
     ASSERT_EQ(write_kept(folder_, one, some()), "");
@@ -57,14 +61,14 @@ TEST_F(KeptScenes, WhatIsNoFileIsLeftAlone) {
 
 TEST_F(KeptScenes, ComeBackToTheSameBits) {
     const std::string one = scene("one.glib"), two = scene("two.glib");
-    EXPECT_EQ(read_kept(folder_, one), KeptScene{});
+    EXPECT_EQ(read_kept(folder_, one), Remembered{});
     ASSERT_EQ(write_kept(folder_, one, some()), "");
     EXPECT_EQ(read_kept(folder_, one), some());
-    EXPECT_EQ(read_kept(folder_, two), KeptScene{});
+    EXPECT_EQ(read_kept(folder_, two), Remembered{});
     write_kept(folder_, one, {});
     EXPECT_EQ(files(), 0U) << "nothing is kept: there is no file";
     EXPECT_EQ(write_kept("", one, some()), "") << "without a home folder";
-    EXPECT_EQ(read_kept("", one), KeptScene{});
+    EXPECT_EQ(read_kept("", one), Remembered{});
 }
 
 TEST_F(KeptScenes, AreNamedByTheirPathWithoutLinks) {
@@ -84,24 +88,32 @@ TEST_F(KeptScenes, DamagedOrHugeFilesAreAsNone) {
     const auto put = [&](const std::string& text) { std::ofstream(path, std::ios::binary) << text; };
     for (const std::string& text :
          {std::string(), std::string("null"), std::string("[]"), std::string("{"), std::string(200000, '['),
-          std::string(R"({"scene": 7})"), std::string("\xFF\xFE\0", 3), std::string(R"({"scene": "/another"})"),
+          std::string(R"({"scene": 7})"), std::string("\xFF\xFE\0", 3), std::string("scene /another\n\n\n"),
+          std::string("scene"), fine.substr(0, fine.find('\n') + 1),
           fine + std::string(300000, ' ')}) {
         put(text);
-        EXPECT_EQ(read_kept(folder_, one), KeptScene{}) << text.substr(0, 20);
+        EXPECT_EQ(read_kept(folder_, one), Remembered{}) << text.substr(0, 20);
     }
     std::mt19937 random(3);
-    for (int i = 0; i < 500; ++i) {  // any damage: no crash, and what is read is of the right shape
+    const Scene read = scene_with({{"Glass", {value_of("uEta", UniformValue::Kind::color, {.5, .5, .5})}}});
+    ActiveUniform uniform = active("vec3");
+    uniform.name = "uEta";
+    for (int i = 0; i < 500; ++i) {  // any damage: no crash, and no value that is none
         std::string text = fine;
-        for (int k = 0; k < 3; ++k) text[random() % text.size()] = "\"{}[],:0-e9x\xFF"[random() % 13];
+        for (int k = 0; k < 3; ++k) text[random() % text.size()] = "\n=,. -#0e9x\xFF"[random() % 12];
         put(text);
-        for (const auto& [name, value] : read_kept(folder_, one).set.values) {
-            EXPECT_EQ(value.value.size(), value.initial.size());
-            EXPECT_LE(value.min, value.max);
-        }
+        Diagnostics ignored;
+        Controls controls = make_controls(read, {{uniform}}, ignored);
+        recall(read_kept(folder_, one), read, controls, Follow::memory);
+        View view;
+        snell::apply(read_kept(folder_, one).chosen, view);
+        ASSERT_EQ(controls.items[0].value.size(), 3U);
+        for (const double number : controls.items[0].value) EXPECT_TRUE(std::isfinite(number)) << text;
+        EXPECT_TRUE(std::isfinite(view.scene.rotate_x)) << text;
     }
     fs::remove(path);
     fs::create_directory(path);
-    EXPECT_EQ(read_kept(folder_, one), KeptScene{});
+    EXPECT_EQ(read_kept(folder_, one), Remembered{});
     EXPECT_NE(write_kept(folder_, one, some()), "") << "a folder is in the way";
 }
 
@@ -118,7 +130,7 @@ TEST_F(KeptScenes, TheOldestOfTooManyGo) {
         write_kept(folder_, scene("t" + std::to_string(i) + ".glib"), some());
     EXPECT_EQ(files(), most_kept_scenes);
     EXPECT_EQ(read_kept(folder_, scenes[7]), some(.2));
-    EXPECT_EQ(read_kept(folder_, scenes[8]), KeptScene{});
+    EXPECT_EQ(read_kept(folder_, scenes[8]), Remembered{});
 }
 
 TEST_F(KeptScenes, ReadingOneCountsAsUse) {
@@ -133,11 +145,10 @@ TEST_F(KeptScenes, ReadingOneCountsAsUse) {
 TEST_F(KeptScenes, TooMuchOfOneSceneIsNotKept) {
     const std::string one = scene("one.glib");
     write_kept(folder_, one, some());
-    KeptScene much;
-    for (int i = 0; i < 5000; ++i)
-        much.set.values["P.u" + std::to_string(i)] = {{1. / 3, 1, 2}, {.1, .2, .3}, 0, 1, 0, 1};
+    Remembered much;
+    for (int i = 0; i < 9000; ++i) much.chosen["--set P.u" + std::to_string(i)] = numbers_text({1. / 3, 1, 2});
     EXPECT_EQ(write_kept(folder_, one, much), "");
-    EXPECT_EQ(read_kept(folder_, one), KeptScene{}) << "and not the values of before either";
+    EXPECT_EQ(read_kept(folder_, one), Remembered{}) << "and not the values of before either";
 }
 
 TEST_F(KeptScenes, WindowsThatWriteAtOnceLeaveWholeFiles) {
@@ -146,7 +157,7 @@ TEST_F(KeptScenes, WindowsThatWriteAtOnceLeaveWholeFiles) {
     std::thread writer([&] {
         for (int i = 0; i < 300; ++i) write_kept(folder_, one, some(i + 1));
     });
-    for (int i = 0; i < 300; ++i) EXPECT_EQ(read_kept(folder_, one).set.rungs, some().set.rungs);
+    for (int i = 0; i < 300; ++i) EXPECT_EQ(read_kept(folder_, one).written, some().written);
     writer.join();
 }
 

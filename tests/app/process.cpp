@@ -65,7 +65,10 @@ TEST(Process, ASignalAndALackOfTimeAreTold) {
 
 TEST(Process, MemoryIsWhatIsAskedForBeyondThatOfThisProcess) {
     if (sanitized) GTEST_SKIP() << "sanitizers reserve address space of their own";
-    const auto ask = [](std::string&) { return std::malloc(std::size_t{64} << 20) ? 5 : 6; };
+    const auto ask = [](std::string&) {
+        void* volatile memory = std::malloc(std::size_t{64} << 20);
+        return memory ? 5 : 6;
+    };
     EXPECT_EQ(ended(ask, {.bytes = std::size_t{256} << 20}).status, 5);
     EXPECT_EQ(ended(ask, {.bytes = std::size_t{16} << 20}).status, 6);
 }

@@ -1,5 +1,5 @@
 // Values by name: what comes back after its uniform was gone, and where the text wins.
-#include "src/plan/values/remembered.h"
+#include "src/plan/setup.h"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(Remembered, AUniformThatIsNotListedForAWhileHasItsValueWhenItIsListedAgain)
     remember(between, unlisted, memory);
     meanwhile->value = {0};
     remember(between, unlisted, memory);
-    EXPECT_EQ(memory.values.count("Glass.uKa"), 0U);
+    EXPECT_EQ(memory.chosen.count("--set Glass.uKa"), 0U);
 }
 
 // After a save of 1.5 the text said <0. 1.5 1.5>; then the file was reverted.
@@ -149,14 +149,24 @@ TEST(Remembered, AValueThatWasSetWhileItsProgramWasBrokenIsKept) {
 TEST(Remembered, NoNumberMakesAValueThatItsTypeCannotHold) {
     const Scene scene = slider("uKa", {0, .5, 1});
     Remembered memory;
-    memory.values["Glass.uKa"] = {{1e300}, {.5}, -1e308, 1e308, 0, 1};
+    const auto put = [&](const std::string& value, const std::string& written, const std::string& range) {
+        memory.chosen = {{"--set Glass.uKa", value}, {"--range Glass.uKa", range}};
+        memory.written = {{"--set Glass.uKa", written}, {"--range Glass.uKa", "0,1"}};
+    };
+    put("1e300", "0.5", "-1e308,1e308");
     Controls controls = controls_of(scene);
     recall(memory, scene, controls);
     const Control& control = controls.items[0];
     EXPECT_LE(control.value[0], 3.5e38);
     EXPECT_TRUE(std::isfinite(control.max - control.min));
-    memory.values["Glass.uKa"] = {{1, 2}, {.5, .5}, 0, 1, 0, 1};
+    const Controls before = controls;
+    for (const char* value : {"1,2", "", "x", "1,", "nan", "1e999", "0.5 "}) {
+        put(value, "0.5", "0,1");
+        EXPECT_FALSE(recall(memory, scene, controls)) << value;
+    }
+    put("1", "0.5,0.5", "0,1");
     EXPECT_FALSE(recall(memory, scene, controls)) << "another count";
+    EXPECT_EQ(controls.items[0].value, before.items[0].value);
 }
 
 TEST(Remembered, NamesThatAreGoneAreBounded) {
@@ -166,8 +176,8 @@ TEST(Remembered, NamesThatAreGoneAreBounded) {
         Controls controls = controls_of(scene);
         controls.items[0].value = {.75};
         remember(scene, controls, memory);
-        ASSERT_LE(memory.values.size(), 1001U);
-        ASSERT_TRUE(memory.values.contains("Glass.u" + std::to_string(i)));
+        ASSERT_LE(memory.chosen.size(), 2002U);
+        ASSERT_TRUE(memory.chosen.contains("--set Glass.u" + std::to_string(i)));
     }
 }
 

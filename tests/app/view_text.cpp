@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "src/document/save_values.h"
+#include "src/plan/setup.h"
 
 namespace snell {
 namespace {

@@ -64,7 +64,8 @@ TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {
     user("key ctrl+1");
     settle();
     const json file = json::parse(bytes("scene.snapshots.json"), nullptr, false);
-    EXPECT_EQ(file["1"]["values"]["Paint.uRed"][0], slid);
+    const std::string options = file["1"]["options"];
+    EXPECT_NE(options.find("--set Paint.uRed=" + json(slid).dump() + "\n"), options.npos) << options;
     drag(on("Paint.uRed", .75), on("Paint.uRed", .1));
     EXPECT_NE(red(), slid);
     user("key 1");
@@ -74,7 +75,7 @@ TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {
     EXPECT_EQ(bytes("scene.glib"), scene);
     // What no longer fits is left out.
     save("scene.snapshots.json",
-         R"({"1": {"values": {"Paint.uRed": [0.5], "Paint.uGone": [1], "Paint.uGreen": "x"}}})");
+         R"({"1": {"options": "--set Paint.uRed=0.5\n--set Paint.uGone=1\n--set Paint.uGreen=x"}})");
     click("snapshot 1");
     ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == .5; }));
     EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .4);

@@ -4,11 +4,10 @@
 
 #include <chrono>
 
-#include "src/app/open/snapshots.h"
 #include "src/app/window/session.h"
 #include "src/app/window/survive/keeper.h"
 #include "src/app/window/survive/restart.h"
-#include "src/document/save_values.h"
+#include "src/plan/setup.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {
@@ -102,8 +101,7 @@ TEST_F(SessionRecovery, WhereNothingWasDrawnNothingIsShown) {
 
 TEST_F(SessionRecovery, ItsValuesWinOverThoseThatWereKept) {
     Remembered memory;
-    memory.values["P.uA"] = {{.25}, {1}, 0, 1, 0, 1};
-    memory.values["P.uGone"] = {{.75}, {.5}, 0, 1, 0, 1};
+    memory = {{{"--set P.uA", "0.25"}, {"--set P.uGone", "0.75"}}, {{"--set P.uA", "1"}, {"--set P.uGone", "0.5"}}};
     Recovery recovery;
     Session session(scene(), caps, {}, nullptr, nullptr, &recovery, memory);
     session.reload();
@@ -123,23 +121,26 @@ protected:
     Recovery recovery(const std::string& changed) const {
         return {nullptr, {scene()}, changed, {.message = "it hung", .has_span = false}};
     }
+    static std::string changed(Session& session) {
+        return setup_text(changed_setup(session.document()->scene(), session.document()->controls));
+    }
     static Control& control(Session& session, const std::string& name) {
         return *session.document()->controls.find(0, name);
     }
 };
 
 TEST_F(SessionRestart, WhatWasSetByHandComesBackWithTheScene) {
-    std::string changed;
+    std::string set;
     {
         Session session(scene(), caps);
-        EXPECT_EQ(changed_text(*session.document()), "") << "nothing was";
+        EXPECT_EQ(changed(session), "") << "nothing was";
         control(session, "uA").value = {1. / 3};
-        changed = changed_text(*session.document());
+        set = changed(session);
     }
-    const Recovery hung = recovery(changed);
+    const Recovery hung = recovery(set);
     Session session(scene(), caps, {}, nullptr, nullptr, &hung);
     EXPECT_FALSE(session.document());
-    EXPECT_EQ(session.by_hand(), changed) << "for a window that has to be started again before it is read";
+    EXPECT_EQ(session.by_hand(), set) << "for a window that has to be started again before it is read";
     session.reload();
     ASSERT_TRUE(session.document());
     EXPECT_EQ(control(session, "uA").value, std::vector<double>{1. / 3});
@@ -151,7 +152,7 @@ TEST_F(SessionRestart, WhatWasSetByHandComesBackWithTheScene) {
 }
 
 TEST_F(SessionRestart, ABrokenEditLosesNothing) {
-    const Recovery hung = recovery(R"({"values": {"P.uA": [0.5]}})");
+    const Recovery hung = recovery("--set P.uA=0.5\n");
     paint("nonsense(uA)");
     Session session(scene(), caps, {}, nullptr, nullptr, &hung);
     session.reload();
@@ -166,7 +167,7 @@ TEST_F(SessionRestart, ABrokenEditLosesNothing) {
 }
 
 TEST_F(SessionRestart, AnotherSceneIsNotConcerned) {
-    const Recovery hung = recovery(R"({"values": {"P.uA": [0.5]}})");
+    const Recovery hung = recovery("--set P.uA=0.5\n");
     folder.write("t.glib", "Ortho -1 1 -1 1\nFragment p.frag\nProgram P uA <0. 1. 1.>\nQuadXY 0. 9.\n");
     Session session(scene(), caps, {}, nullptr, nullptr, &hung);
     EXPECT_EQ(session.open(folder.path("t.glib")), "");
@@ -181,7 +182,7 @@ TEST_F(SessionRestart, RungsComeBackWithTheirUniforms) {
                  "  gl_FragColor = vec4(0., 1., 0., 1.);\n#endif\n}\n");
     folder.write("s.glib",
                  "Ladder WAY red <green>\nOrtho -1 1 -1 1\nFragment p.frag\nProgram P uA <0. 1. 1.>\nQuadXY 0. 9.\n");
-    std::string changed;
+    std::string set;
     {
         Session session(scene(), caps);
         EXPECT_TRUE(near(shown(session), green)) << session.problems_text();
@@ -189,9 +190,9 @@ TEST_F(SessionRestart, RungsComeBackWithTheirUniforms) {
         session.follow_rungs();
         control(session, "uA").value = {.5};
         EXPECT_TRUE(near(shown(session), half)) << session.problems_text();
-        changed = changed_text(*session.document());
+        set = changed(session);
     }
-    const Recovery hung = recovery(changed);
+    const Recovery hung = recovery(set);
     Session session(scene(), caps, {}, nullptr, nullptr, &hung);
     session.reload();
     ASSERT_TRUE(session.document());
@@ -227,8 +228,7 @@ TEST(RestartedWindow, TriesAgainWhatWasSavedMeanwhile) {
 }
 
 TEST(Carried, IsTextAndBack) {
-    Carried carried{
-        "odd \xE9\n.glib", {nullptr, {"a b", "\n", "c"}, R"({"values": {"P.uA": [0.5]}})", {}}, {}, {640, 480}, .1};
+    Carried carried{"odd \xE9\n.glib", {nullptr, {"a b", "\n", "c"}, "--set P.uA=0.5\n", {}}, {}, {640, 480}, .1};
     carried.view.scene.rotate_x = 1. / 3;
     carried.view.objects[2].x = -.7;
     carried.view.axes = false;

@@ -8,6 +8,7 @@
 #include "src/content/text_forms.h"
 #include "src/document/save_values.h"
 #include "src/plan/gesture.h"
+#include "src/plan/setup.h"
 #include "web/interface/checked.h"
 #include "web/interface/decoded.h"
 #include "web/interface/drawing.h"
@@ -142,8 +143,9 @@ EMSCRIPTEN_KEEPALIVE const char* snell_choose(Engine* engine, int ladder, int ru
 EMSCRIPTEN_KEEPALIVE const char* snell_state(Engine* engine) {
     Json json{{"values", Json::array()}, {"rungs", Json::array()}, {"view", view_text(engine->scene.view)}};
     if (engine->draws()) {
-        json["values"] = values_json(*engine->scene.document());
-        json["rungs"] = rungs_json(*engine->scene.document());
+        const Document& document = *engine->scene.document();
+        json["values"] = set_arguments(document.scene(), document.controls);
+        json["rungs"] = arguments_of(changed_setup(document.scene(), {{}, document.runtime->rungs()}), ladder_option);
     }
     return engine->tell(json);
 }

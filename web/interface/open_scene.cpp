@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/document/save_values.h"
 #include "src/lint/lint.h"
 #include "src/plan/objects.h"
+#include "src/plan/setup.h"
 #include "src/plan/texts.h"
 
 namespace snell::web {
@@ -18,31 +18,16 @@ Rungs reference_rungs(const Scene& scene) {
     return rungs;
 }
 
-// Also takes the names of uniforms in the second program of a name, such as "Glass#2.uEta=1.3".
-bool set_value(const std::string& assignment, Controls& controls, const Scene& scene, Diagnostics& problems) {
-    const std::vector<std::string> names = control_names(scene, controls);
-    const std::size_t equals = assignment.find('=');
-    const auto named = ranges::find(names, assignment.substr(0, equals));
-    if (named == names.end() || assignment.find('#') > equals) {
-        return set_control(controls, scene, assignment, problems);
-    }
-    Control& control = controls.items[static_cast<std::size_t>(named - names.begin())];
-    Controls alone{{control}, controls.rungs};
-    const bool taken = set_control(alone, scene, control.name + assignment.substr(equals), problems);
-    if (taken) control = alone.items[0];
-    return taken;
-}
-
 // Where two numbers do not fit but one does, the comma of "Glass.uEta=1,3" is a decimal one.
 void set_value_with_comma(const std::string& assignment, Controls& controls, const Scene& scene,
                           Diagnostics& problems) {
     Diagnostics wrong, still_wrong;
-    bool taken = set_value(assignment, controls, scene, wrong);
+    bool taken = set_control(controls, scene, assignment, wrong);
     const std::size_t comma = assignment.find(',', assignment.find('='));
     if (!taken && comma != std::string::npos) {
         std::string decimal = assignment;
         decimal[comma] = '.';
-        taken = set_value(decimal, controls, scene, still_wrong);
+        taken = set_control(controls, scene, decimal, still_wrong);
         if (taken) wrong = std::move(still_wrong);
     }
     problems.append(wrong);

@@ -8,7 +8,7 @@
 
 #include "src/document/document.h"
 #include "src/gl/caps.h"
-#include "src/plan/values/remembered.h"
+#include "src/plan/setup.h"
 #include "src/plan/view.h"
 
 namespace snell::web {

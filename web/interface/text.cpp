@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
-#include "src/plan/values/remembered.h"
+#include "src/plan/values/carry.h"
 
 namespace snell::web {
 
@@ -126,25 +126,6 @@ Json shown_json(const Document& document) {
             {"period", animated && reads_timer(document) ? scene.timer_period : 0},
             {"files", document.files->read_paths()},
             {"counters", counters_json(document.runtime->counters())}};
-}
-
-Json values_json(const Document& document) {
-    Json all = Json::array();
-    const std::vector<Control>& items = document.controls.items;
-    const std::vector<std::string> names = control_names(document.scene(), document.controls);
-    for (std::size_t i = 0; i < items.size(); ++i)
-        if (items[i].active && items[i].value != items[i].initial)
-            all.push_back(fmt::format("{}={}", names[i], fmt::join(items[i].value, ",")));
-    return all;
-}
-
-Json rungs_json(const Document& document) {
-    Json all = Json::array();
-    const std::vector<Ladder>& ladders = document.scene().ladders;
-    for (std::size_t i = 0; i < ladders.size(); ++i)
-        if (const std::size_t rung = document.runtime->rungs()[i]; rung != ladders[i].current)
-            all.push_back(ladders[i].name + "=" + ladders[i].rungs[rung]);
-    return all;
 }
 
 }  // namespace snell::web

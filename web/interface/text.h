@@ -12,8 +12,5 @@ using Json = nlohmann::ordered_json;
 Json problems_json(const Diagnostics& diagnostics, const Sources& sources);
 // Controls, ladders, size, files and counters.
 Json shown_json(const Document& document);
-// Names and values as the command line takes them, of what differs from the scene.
-Json values_json(const Document& document);
-Json rungs_json(const Document& document);
 
 }  // namespace snell::web

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "parser/text/ranges.h"
-#include "src/document/save_values.h"
+#include "src/plan/setup.h"
 
 namespace snell::accuracy {
 

@@ -9,7 +9,7 @@
 #include "parser/text/ranges.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/table.h"
-#include "src/document/save_values.h"
+#include "src/plan/setup.h"
 
 namespace snell::accuracy {
 

@@ -17,7 +17,7 @@
 #include "src/content/image/module.h"
 #include "src/content/replace.h"
 #include "src/content/text_forms.h"
-#include "src/document/save_values.h"
+#include "src/plan/setup.h"
 #include "src/runtime/resources/counters.h"
 #include "src/runtime/resources/uniforms.h"
 

@@ -27,7 +27,7 @@ struct RenderOptions {
     int samples = 1;
     bool transparent = false;  // leaves out the background
     int tile = 0;              // maximum side in pixels of a part that is drawn at once; 0: as memory allows
-    std::string view;          // see src/document/save_values.h
+    std::string view;          // see src/plan/setup.h
     bool axes = false;
     bool count_non_finite = false;  // counts pixels with NaN or infinite values, for the messages and the statistics
     int frames = 0;                 // frame k is at time + k / fps; 0: not an animation

@@ -29,6 +29,7 @@
 #include "src/document/save_values.h"
 #include "src/gl/caps.h"
 #include "src/plan/locate.h"
+#include "src/plan/setup.h"
 
 namespace snell::app {
 

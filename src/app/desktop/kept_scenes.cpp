@@ -1,76 +1,29 @@
 #include "src/app/desktop/kept_scenes.h"
 
-#include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
-#include "src/content/text_forms.h"
 
 namespace snell {
 
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 // The file has the whole path.
-std::string kept_file(const std::string& folder, const std::string& name) { return named_by(folder, name, "json"); }
+std::string kept_file(const std::string& folder, const std::string& name) { return named_by(folder, name, "txt"); }
 
-std::vector<double> numbers_of(const Json& json, const char* name) {
-    std::vector<double> numbers;
-    const auto list = json.find(name);
-    if (list == json.end() || !list->is_array()) return numbers;
-    for (const Json& number : *list) {
-        if (!number.is_number() || !std::isfinite(number.get<double>())) return {};
-        numbers.push_back(number.get<double>());
-    }
-    return numbers;
-}
-
-std::string text_at(const Json& json, const char* name) {
-    const auto found = json.find(name);
-    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-const Json& object_at(const Json& json, const char* name) {
-    static const Json nothing = Json::object();
-    const auto found = json.find(name);
-    return found != json.end() && found->is_object() ? *found : nothing;
-}
-
-std::optional<RememberedValue> value_of(const Json& json) {
-    if (!json.is_object()) return std::nullopt;
-    const std::vector<double> ranges = numbers_of(json, "ranges");
-    RememberedValue value{numbers_of(json, "value"), numbers_of(json, "initial")};
-    if (value.value.empty() || value.initial.size() != value.value.size()) return std::nullopt;
-    if (ranges.size() != 4 || ranges[0] > ranges[1] || ranges[2] > ranges[3]) return std::nullopt;
-    std::tie(value.min, value.max) = std::pair(ranges[0], ranges[1]);
-    std::tie(value.initial_min, value.initial_max) = std::pair(ranges[2], ranges[3]);
-    return value;
-}
-
-Json json_of(const std::string& name, const KeptScene& kept) {
-    Json json{{"scene", utf8::printable(name)}, {"view", kept.view}};
-    if (kept.axes) json["axes"] = *kept.axes;
-    for (const auto& [index, object] : kept.objects) json["objects"][std::to_string(index)] = object;
-    for (const auto& [ladder, rung] : kept.set.rungs)
-        json["rungs"][ladder] = {{"rung", rung.rung}, {"initial", rung.initial}};
-    for (const auto& [control, value] : kept.set.values)
-        json["values"][control] = {{"value", value.value},
-                                   {"initial", value.initial},
-                                   {"ranges", {value.min, value.max, value.initial_min, value.initial_max}}};
-    return json;
+// Its own first line, what was chosen, an empty line, and what the text said.
+std::string text_of(const std::string& name, const Remembered& kept) {
+    return fmt::format("scene {}\n{}\n{}", utf8::printable(name), setup_text(kept.chosen), setup_text(kept.written));
 }
 
 // Other windows may remove files at the same time.
@@ -80,7 +33,7 @@ void remove_oldest(const std::string& folder) {
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         std::error_code gone;
         const fs::file_time_type time = entry->last_write_time(gone);
-        if (!gone && entry->path().extension() == ".json") files.emplace_back(time, entry->path());
+        if (!gone && entry->path().extension() == ".txt") files.emplace_back(time, entry->path());
     }
     if (files.size() <= most_kept_scenes) return;
     ranges::sort(files);
@@ -100,39 +53,27 @@ std::string kept_name(const std::string& scene) {
     return error ? fs::absolute(scene, error).lexically_normal().string() : whole.string();
 }
 
-KeptScene read_kept(const std::string& folder, const std::string& scene) {
-    KeptScene kept;
-    if (folder.empty()) return kept;
+Remembered read_kept(const std::string& folder, const std::string& scene) {
+    if (folder.empty()) return {};
     const std::string name = kept_name(scene), file = kept_file(folder, name);
     std::error_code error;
-    if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > most_kept_bytes || error) return kept;
-    const Json json = content::parse_json(content::whole_file(file));
-    if (!json.is_object() || text_at(json, "scene") != utf8::printable(name)) return kept;
+    if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > most_kept_bytes || error) return {};
+    const std::string text = content::whole_file(file), begin = fmt::format("scene {}\n", utf8::printable(name));
+    const std::size_t middle = text.find("\n\n", begin.size() - 1);
+    if (!text.starts_with(begin) || middle == text.npos) return {};
     // An error is ignored: the file may only be removed earlier than others.
     fs::last_write_time(file, fs::file_time_type::clock::now(), error);
-    kept.view = text_at(json, "view");
-    if (const auto axes = json.find("axes"); axes != json.end() && axes->is_boolean()) kept.axes = axes->get<bool>();
-    for (const auto& [index, object] : object_at(json, "objects").items()) {
-        unsigned number = 0;
-        const auto [end, wrong] = std::from_chars(index.data(), index.data() + index.size(), number);
-        if (wrong == std::errc() && end == index.data() + index.size() && object.is_string())
-            kept.objects[number] = object.get<std::string>();
-    }
-    for (const auto& [ladder, rung] : object_at(json, "rungs").items())
-        if (rung.is_object()) kept.set.rungs[ladder] = {text_at(rung, "rung"), text_at(rung, "initial")};
-    for (const auto& [control, value] : object_at(json, "values").items())
-        if (auto found = value_of(value)) kept.set.values[control] = std::move(*found);
-    return kept;
+    return {read_setup(std::string_view(text).substr(0, middle)), read_setup(std::string_view(text).substr(middle))};
 }
 
-std::string write_kept(const std::string& folder, const std::string& scene, const KeptScene& kept) {
+std::string write_kept(const std::string& folder, const std::string& scene, const Remembered& kept) {
     if (folder.empty()) return {};
     const std::string name = kept_name(scene), file = kept_file(folder, name);
     std::error_code error;
     // A pipe would wait for a reader.
     if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return file + " is not a file";
-    const std::string text = content::json_text(json_of(name, kept)) + "\n";
-    if (kept == KeptScene{} || text.size() > most_kept_bytes) {
+    const std::string text = text_of(name, kept);
+    if (kept == Remembered{} || text.size() > most_kept_bytes) {
         fs::remove(file, error);
         return {};
     }

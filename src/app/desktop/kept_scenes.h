@@ -3,12 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 
-#include "src/plan/values/remembered.h"
+#include "src/plan/setup.h"
 
 namespace snell {
 
@@ -18,24 +16,17 @@ namespace snell {
 inline constexpr std::size_t most_kept_scenes = 200;
 inline constexpr std::uintmax_t most_kept_bytes = std::uintmax_t{256} << 10;  // of one scene
 
-struct KeptScene {
-    Remembered set;
-    std::string view;                         // as view_text() formats it
-    std::map<unsigned, std::string> objects;  // names of the objects that the view moves
-    std::optional<bool> axes;                 // nullopt: as scenes begin
-    bool operator==(const KeptScene&) const = default;
-};
-
 // The folder next to the settings; "" if there are none.
 std::string kept_folder(const std::string& settings);
 // The scene's path without links, by which it is kept.
 std::string kept_name(const std::string& scene);
 
-// Returns nothing if the scene was not kept, or its file is damaged or too large. Its file then counts as used now.
-KeptScene read_kept(const std::string& folder, const std::string& scene);
+// Returns nothing if the scene was not kept, or its file is of something else or too large. Its file then counts as
+// used now. Of the view there is also the name of each object that it moves, as what was written of "--view object3".
+Remembered read_kept(const std::string& folder, const std::string& scene);
 // Replaces what is kept of the scene, and removes the files of those that were not opened or changed for the longest
 // time. Returns "" or the error.
-std::string write_kept(const std::string& folder, const std::string& scene, const KeptScene& kept);
+std::string write_kept(const std::string& folder, const std::string& scene, const Remembered& kept);
 
 // Files of the program's own about a path, in a folder of its own.
 

@@ -23,9 +23,9 @@
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
 #include "src/document/document.h"
-#include "src/document/save_values.h"
 #include "src/gl/target.h"
 #include "src/lint/lint.h"
+#include "src/plan/setup.h"
 #include "src/plan/texts.h"
 #include "src/runtime/inspect.h"
 

@@ -5,20 +5,9 @@
 #include <filesystem>
 
 #include "parser/text/ranges.h"
-#include "src/document/save_values.h"
+#include "src/plan/setup.h"
 
 namespace snell {
-
-namespace {
-
-// Leaves out the program's name if no other program has a uniform of this name.
-std::string option_name(const Document& document, const Control& control) {
-    const auto same = ranges::count(document.controls.items, control.name, &Control::name);
-    return same == 1 ? control.name
-                     : fmt::format("{}.{}", document.scene().programs[control.program].name, control.name);
-}
-
-}  // namespace
 
 std::string shell_word(std::string_view word) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@%";
@@ -30,27 +19,15 @@ std::string shell_word(std::string_view word) {
 
 std::string file_word(const std::string& name) { return shell_word(name.starts_with('-') ? "./" + name : name); }
 
-std::vector<std::string> changed_rungs(const Scene& scene, const Rungs& rungs) {
-    std::vector<std::string> chosen;
-    for (std::size_t i = 0; i < scene.ladders.size() && i < rungs.size(); ++i) {
-        const Ladder& ladder = scene.ladders[i];
-        if (rungs[i] != ladder.current && rungs[i] < ladder.rungs.size())
-            chosen.push_back(ladder.name + "=" + ladder.rungs[rungs[i]]);
-    }
-    return chosen;
-}
-
 std::vector<std::string> value_options(const Document& document, const View& view) {
     std::vector<std::string> words;
     const auto add = [&words](const char* option, std::string value) {
         words.insert(words.end(), {option, std::move(value)});
     };
     if (std::string text = view_text(view); !text.empty()) add("--view", std::move(text));
-    for (const Control& control : document.controls.items)
-        if (control.active && control.value != control.initial)
-            add("--set", fmt::format("{}={}", option_name(document, control), fmt::join(control.value, ",")));
-    for (std::string& choice : changed_rungs(document.scene(), document.controls.rungs))
-        add("--ladder", std::move(choice));
+    for (std::string& value : set_arguments(document.scene(), document.controls, true)) add("--set", std::move(value));
+    for (std::string& rung : arguments_of(changed_setup(document.scene(), document.controls), ladder_option))
+        add("--ladder", std::move(rung));
     return words;
 }
 

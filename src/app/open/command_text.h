@@ -24,10 +24,8 @@ struct Picture {
 std::vector<std::string> value_options(const Document& document, const View& view);
 
 // Returns a line for a POSIX shell that draws the same picture: the values and rungs that differ from the scene's, and
-// view, time and size. The syntax cannot distinguish programs of the same name: the value of the last one is used.
+// view, time and size.
 std::string render_command(const Document& document, const Picture& picture);
-// The rungs that are not the scene's own, as "LADDER=rung".
-std::vector<std::string> changed_rungs(const Scene& scene, const Rungs& rungs);
 // A word of such a line: quoted if a shell would interpret it.
 std::string shell_word(std::string_view word);
 // A path as a word of such a line, which no command takes for an option.

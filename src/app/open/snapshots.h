@@ -24,15 +24,8 @@ struct Restored {
     std::string error;     // if not empty, nothing was changed
     std::size_t lost = 0;  // number of values that the scene no longer has
 };
-// Restores a snapshot. Values that the scene does not have, or has in another type, are left out; values that the
-// snapshot does not have stay.
+// Restores a snapshot. Values that the scene does not have, or cannot hold, are left out; values that the snapshot does
+// not have stay.
 Restored restore_snapshot(int number, Document& document);
-
-// Formats the values and rungs that differ from the scene as text; "" if none does.
-std::string changed_text(const Document& document);
-// Restores the values of such a text, as restore_snapshot() does.
-Restored restore_changed(const std::string& changed, Document& document);
-// Restores only the rungs, before the programs are compiled for them.
-void restore_rungs(const std::string& changed, const Scene& scene, Rungs& rungs);
 
 }  // namespace snell

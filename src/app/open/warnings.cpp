@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
-#include "src/document/save_values.h"
 #include "src/gl/target.h"
 #include "src/lint/lint.h"
+#include "src/plan/setup.h"
 #include "src/plan/show.h"
 #include "src/plan/texts.h"
 

@@ -12,7 +12,7 @@
 #include "src/app/open/progress.h"
 #include "src/app/page/encoder.h"
 #include "src/app/picture/picture.h"
-#include "src/plan/values/remembered.h"
+#include "src/plan/values/carry.h"
 
 namespace snell::app {
 

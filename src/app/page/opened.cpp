@@ -9,8 +9,7 @@
 #include "parser/text/words.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
-#include "src/document/save_values.h"
-#include "src/plan/values/remembered.h"
+#include "src/plan/setup.h"
 
 namespace snell::app {
 
@@ -73,21 +72,8 @@ std::string short_text(const Diagnostic& error, const Sources& sources) {
 }
 
 StartTexts start_texts(const Document& document, const View& view) {
-    StartTexts texts;
-    const Scene& scene = document.scene();
-    const std::vector<std::string> names = control_names(scene, document.controls);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const Control& control = document.controls.items[i];
-        if (control.value != control.initial)
-            texts.values.push_back(fmt::format("{}={}", names[i], fmt::join(control.value, ",")));
-    }
-    for (std::size_t i = 0; i < scene.ladders.size() && i < document.controls.rungs.size(); ++i) {
-        const Ladder& ladder = scene.ladders[i];
-        if (const std::size_t rung = document.controls.rungs[i]; rung != ladder.current && rung < ladder.rungs.size())
-            texts.rungs.push_back(ladder.name + "=" + ladder.rungs[rung]);
-    }
-    texts.view = view_text(view);
-    return texts;
+    const Setup changed = changed_setup(document.scene(), document.controls);
+    return {set_arguments(document.scene(), document.controls), arguments_of(changed, ladder_option), view_text(view)};
 }
 
 }  // namespace snell::app

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "parser/text/words.h"
-#include "src/app/open/snapshots.h"
 #include "src/app/window/window_state.h"
 #include "src/ui/kit/input.h"
 
@@ -139,7 +138,8 @@ void App::keep_by_hand() {
     if (!document || kept_frame_ == display_.counters().frames) return;
     if (values_of(document->controls) != drawn.stand.values || document->controls.rungs != drawn.rungs) return;
     kept_frame_ = display_.counters().frames;
-    restart_.keep(carry({nullptr, workspace_.session().files(), changed_text(*document), {}}));
+    restart_.keep(carry(
+        {nullptr, workspace_.session().files(), setup_text(changed_setup(document->scene(), document->controls)), {}}));
 }
 
 Document* App::shown_document() {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "parser/text/diagnostic.h"
@@ -19,37 +21,41 @@ namespace {
 
 constexpr double one_gesture = .5;  // seconds between changes of one gesture
 
-std::vector<std::pair<std::string, std::string>> chosen_rungs(const Scene& scene, const Rungs& rungs) {
-    std::vector<std::pair<std::string, std::string>> chosen;
-    for (std::size_t i = 0; i < scene.ladders.size() && i < rungs.size(); ++i)
-        chosen.emplace_back(scene.ladders[i].name, scene.ladders[i].rungs[rungs[i]]);
-    return chosen;
-}
-
-// The mouse's position is an input of the scene, and not what the user arranges.
-View without_mouse(View view) {
-    view.mouse_x = view.mouse_y = 0;
-    return view;
-}
-
-std::string numbers(const Control& control, const std::vector<double>& value) {
-    if (control.widget == Widget::check_box) return value[0] == 0 ? "off" : "on";
+std::string numbers(const Control& control, const std::string& text) {
+    const std::vector<double> value = read_numbers(text);
+    if (control.widget == Widget::check_box) return text == "0" ? "off" : "on";
     if (value.size() > 4) return fmt::format("{} numbers", value.size());
-    std::string text;
-    for (const double number : value) text += fmt::format("{}{:.6g}", text.empty() ? "" : " ", number);
-    return value.size() > 1 ? "(" + text + ")" : text;
+    std::string words;
+    for (const double number : value) words += fmt::format("{}{:.6g}", words.empty() ? "" : " ", number);
+    return value.size() > 1 ? "(" + words + ")" : words;
 }
 
-std::string what_differs(const View& a, const View& b) {
-    if (a.axes != b.axes && view_text(a) == view_text(b))
-        return b.axes ? "axes hidden \u2192 shown" : "axes shown \u2192 hidden";
-    if (a.background != b.background) return "background";
-    return a.projection != b.projection ? "projection" : "view";
+std::string range_words(const std::string& text) {
+    const std::vector<double> range = read_numbers(text);
+    return range.size() == 2 ? fmt::format("{:.6g} to {:.6g}", range[0], range[1]) : text;
 }
 
-bool set_rung(const Scene& scene, Rungs& rungs, const std::string& ladder, const std::string& rung) {
-    Diagnostics ignored;
-    return rungs.size() == scene.ladders.size() && choose_rung(rungs, scene, ladder + "=" + rung, ignored);
+bool of_view(std::string_view key) { return key.starts_with(view_option) || key == axes_option; }
+
+// What was changed of the view.
+std::string view_words(const std::set<std::string_view>& changed, const View& now) {
+    if (changed.size() == 1 && *changed.begin() == axes_option)
+        return now.axes ? "axes hidden \u2192 shown" : "axes shown \u2192 hidden";
+    for (const char* part : {"background", "projection"})
+        if (changed.contains(std::string(view_option) + part)) return part;
+    return "view";
+}
+
+Setup all_of(const Scene& scene, const Controls& controls, const View& view) {
+    Setup setup = setup_of(scene, controls);
+    setup.merge(setup_of(view));
+    return setup;
+}
+
+const std::string& at(const Setup& setup, const std::string& key) {
+    static const std::string initial;
+    const auto found = setup.find(key);
+    return found == setup.end() ? initial : found->second;
 }
 
 std::string exchange(const SavedFile& file, bool forward) {
@@ -64,33 +70,50 @@ std::string exchange(const SavedFile& file, bool forward) {
 
 std::size_t History::Step::bytes() const {
     std::size_t sum = sizeof(Step);
-    for (const auto& change : values)
-        sum += sizeof(change) + change.name.size() + (change.before.value.size() + change.after.value.size()) * 8;
-    for (const auto& change : rungs) sum += sizeof(change) + change.name.size() + 64;
-    if (view) sum += (view->before.objects.size() + view->after.objects.size()) * 128;
+    for (const auto& [key, change] : changes)
+        sum += sizeof(change) + 2 * key.size() + change.before.size() + change.after.size();
     return sum + file.before.size() + file.after.size();
 }
 
+// All of the view counts as one.
 bool History::Step::extends(const Step& last) const {
-    const auto same = [](const auto& a, const auto& b) { return a.name == b.name; };
-    return presses == last.presses && time < last.time + one_gesture && last.snapshot == 0 &&
-           view.has_value() == last.view.has_value() && ranges::equal(values, last.values, same) &&
-           ranges::equal(rungs, last.rungs, same);
+    const auto same = [](const Step& a, const Step& b) {
+        return ranges::all_of(a.changes, [&](const auto& change) {
+            return b.changes.contains(change.first) ||
+                   (of_view(change.first) &&
+                    ranges::any_of(b.changes, [](const auto& other) { return of_view(other.first); }));
+        });
+    };
+    return presses == last.presses && time < last.time + one_gesture && last.snapshot == 0 && same(*this, last) &&
+           same(last, *this);
+}
+
+void History::carry_changes(const std::vector<std::string>& from, const std::vector<std::string>& to, Step& step) {
+    const std::string object = std::string(view_option) + "object";
+    for (auto& [key, change] : std::exchange(step.changes, {})) {
+        unsigned index = 0;
+        const char* const end = key.data() + key.size();
+        const bool moved = key.starts_with(object);
+        const char* const rest = moved ? std::from_chars(key.data() + object.size(), end, index).ptr : end;
+        const Index found = moved ? carried(from, to, index) : 0;
+        if (found != none)
+            step.changes[moved ? fmt::format("{}{}{}", object, found, std::string_view(rest, end)) : key] = change;
+    }
 }
 
 bool History::Step::merge(Step&& later) {
-    const auto moved = [](const auto& change) { return change.before != change.after; };
-    for (std::size_t i = 0; i < values.size(); ++i) values[i].after = std::move(later.values[i].after);
-    for (std::size_t i = 0; i < rungs.size(); ++i) rungs[i].after = std::move(later.rungs[i].after);
-    if (view) view->after = std::move(later.view->after);
+    for (auto& [key, change] : later.changes) {
+        const auto [place, fresh] = changes.try_emplace(key, change);
+        if (!fresh) place->second.after = std::move(change.after);
+    }
     time = later.time;
-    return ranges::any_of(values, moved) || ranges::any_of(rungs, moved) || (view && moved(*view));
+    return ranges::any_of(changes, [](const auto& change) { return change.second.before != change.second.after; });
 }
 
 void History::begin(const Scene& scene, const Controls& controls, const View& view) {
     controls_ = controls;
     names_ = control_names(scene, controls);
-    rungs_ = chosen_rungs(scene, controls.rungs);
+    setup_ = all_of(scene, controls, view);
     view_ = view;
     open_ = false;
     name_objects(scene, view);
@@ -102,11 +125,15 @@ void History::name_objects(const Scene& scene, const View& view) {
 
 // The text moved this value with its own: steps to or from the text's value lead to the new one.
 void History::follow_text(const std::string& name, const Control& old, const Control& control) {
-    for (Step& step : steps_)
-        for (auto& change : step.values)
-            for (State* state : {&change.before, &change.after})
-                if (change.name == name && state->value == old.initial)
-                    *state = {control.initial, control.initial_min, control.initial_max};
+    const auto follow = [this](const std::string& key, const std::string& before, const std::string& now) {
+        for (Step& step : steps_)
+            if (const auto change = step.changes.find(key); change != step.changes.end())
+                for (std::string* value : {&change->second.before, &change->second.after})
+                    if (*value == before) *value = now;
+    };
+    follow(std::string(set_option) + name, numbers_text(old.initial), numbers_text(control.initial));
+    follow(std::string(range_option) + name, numbers_text({old.initial_min, old.initial_max}),
+           numbers_text({control.initial_min, control.initial_max}));
 }
 
 void History::reread(const Scene& scene, const Controls& controls, const View& view) {
@@ -128,11 +155,7 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
     View before = view_;
     if (!objects_.empty()) {
         std::vector<std::string> objects = object_names(scene);
-        for (Step& step : steps_) {
-            if (!step.view) continue;
-            carry_objects(objects_, objects, step.view->before);
-            carry_objects(objects_, objects, step.view->after);
-        }
+        for (Step& step : steps_) carry_changes(objects_, objects, step);
         carry_objects(objects_, objects, before);
         objects_ = std::move(objects);
     }
@@ -161,22 +184,20 @@ void History::rest(const Scene& scene, Controls& controls, std::span<const Anima
 
 History::Step History::difference(const Scene& scene, const Controls& controls, const View& view) const {
     Step step;
-    const bool same = same_uniforms(controls_, controls);
-    const std::vector<std::string> names = same ? std::vector<std::string>{} : control_names(scene, controls);
-    for (std::size_t i = 0; i < controls.items.size(); ++i) {
-        const std::size_t old = old_index(i, names);
-        if (old == names_.size() || controls.items[i].type == ValueType::sampler) continue;
-        const Control &before = controls_.items[old], &after = controls.items[i];
-        if (before.value != after.value || before.min != after.min || before.max != after.max)
-            step.values.push_back({names_[old], state_of(before), state_of(after)});
-    }
-    if (controls.rungs != controls_.rungs) {
-        const auto rungs = chosen_rungs(scene, controls.rungs);
-        for (const auto& [ladder, rung] : rungs)
-            for (const auto& [old_ladder, old_rung] : rungs_)
-                if (ladder == old_ladder && rung != old_rung) step.rungs.push_back({ladder, old_rung, rung});
-    }
-    if (view != view_) step.view = {"view", without_mouse(view_), without_mouse(view)};
+    const auto same = [](const Control& a, const Control& b) {
+        return a.value == b.value && a.min == b.min && a.max == b.max;
+    };
+    if (view == view_ && controls.rungs == controls_.rungs && same_uniforms(controls, controls_) &&
+        ranges::equal(controls.items, controls_.items, same))
+        return step;
+    const Setup now = all_of(scene, controls, view);
+    const auto compare = [&](const std::string& key) {
+        const std::string &before = at(setup_, key), &after = at(now, key);
+        const bool both = setup_.contains(key) && now.contains(key);  // what the scene lacks is no change
+        if (before != after && (both || of_view(key))) step.changes[key] = {before, after};
+    };
+    for (const Setup* setup : {&setup_, &now})
+        for (const auto& [key, value] : *setup) compare(key);
     return step;
 }
 
@@ -262,52 +283,46 @@ std::string History::apply(const Step& step, const UserState& state, bool forwar
         return error.empty() ? fmt::format("{}snapshot {}", done, step.snapshot)
                              : fmt::format("{}{}", forward ? "not redone: " : "not undone: ", error);
     }
-    std::string said;
-    std::size_t count = 0;
-    for (const auto& change : step.rungs) {
-        const Rungs before = state.controls.rungs;
-        if (!set_rung(state.scene, state.controls.rungs, change.name, change.at(forward))) continue;
-        if (state.controls.rungs == before) continue;
-        ++count;
-        said = fmt::format("{} {} \u2192 {}", change.name, change.at(!forward), change.at(forward));
-    }
-    if (count > 0) state.follow_rungs();
-    if (const std::string value = apply_values(step, state, forward, count); !value.empty()) said = value;
-    if (count > 1) said = ui::counted(count, "value");
-    if (step.view && without_mouse(state.view) != step.view->at(forward)) {
-        const View before = std::exchange(state.view, step.view->at(forward));
-        state.view.mouse_x = before.mouse_x;
-        state.view.mouse_y = before.mouse_y;
-        said += (said.empty() ? "" : ", ") + what_differs(step.view->at(!forward), step.view->at(forward));
-    }
+    Setup wanted;
+    for (const auto& [key, change] : step.changes) wanted[key] = change.at(forward);
+    const Setup before = all_of(state.scene, state.controls, state.view);
+    const Rungs rungs = state.controls.rungs;
+    snell::apply(wanted, state.scene, state.controls.rungs);
+    if (state.controls.rungs != rungs) state.follow_rungs();
+    snell::apply(wanted, state.scene, state.controls);
+    snell::apply(wanted, state.view);
+    const std::string said = words_of(step, before, state);
     return said.empty() ? said : done + said;
 }
 
-std::string History::apply_values(const Step& step, const UserState& state, bool forward, std::size_t& count) {
-    std::string said;
-    if (step.values.empty()) return said;
+std::string History::words_of(const Step& step, const Setup& before, const UserState& state) {
+    const Setup now = all_of(state.scene, state.controls, state.view);
     const std::vector<std::string> names = control_names(state.scene, state.controls);
-    for (const auto& change : step.values) {
-        const auto found = ranges::find(names, change.name);
-        if (found == names.end()) continue;
-        Control& control = state.controls.items[static_cast<std::size_t>(found - names.begin())];
-        const State& wanted = change.at(forward);
-        if (control.value.size() != wanted.value.size()) continue;
-        const State before = state_of(control);
-        control.value = wanted.value;
-        if (control.widget == Widget::slider) {
-            control.min = std::min(wanted.min, control.initial_min);
-            control.max = std::max(wanted.max, control.initial_max);
+    std::string said;
+    std::set<std::string_view> view, values;
+    for (const auto& [key, change] : step.changes) {
+        const std::string &from = at(before, key), &to = at(now, key);
+        if (from == to) continue;  // the text has moved it there, or the scene does not have it any more
+        if (of_view(key)) {
+            view.insert(key);
+            continue;
         }
-        const State after = state_of(control);
-        if (after == before) continue;  // the text has moved it there
-        said = after.value == before.value ? fmt::format("{} range {:.6g} to {:.6g} \u2192 {:.6g} to {:.6g}",
-                                                         change.name, before.min, before.max, after.min, after.max)
-                                           : fmt::format("{} {} \u2192 {}", change.name, numbers(control, before.value),
-                                                         numbers(control, after.value));
-        ++count;
+        const std::string_view name = std::string_view(key).substr(key.find(' ') + 1);
+        const bool range = key.starts_with(range_option);
+        const auto control = ranges::find(names, name);
+        values.insert(name);
+        if (range)
+            said = fmt::format("{} range {} \u2192 {}", name, range_words(from), range_words(to));
+        else if (control == names.end())
+            said = fmt::format("{} {} \u2192 {}", name, from, to);
+        else {
+            const Control& item = state.controls.items[static_cast<std::size_t>(control - names.begin())];
+            said = fmt::format("{} {} \u2192 {}", name, numbers(item, from), numbers(item, to));
+        }
     }
-    return said;
+    if (values.size() > 1) said = ui::counted(values.size(), "value");
+    if (view.empty()) return said;
+    return said + (said.empty() ? "" : ", ") + view_words(view, state.view);
 }
 
 History& Histories::use(const std::string& scene) {

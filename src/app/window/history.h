@@ -7,15 +7,15 @@
 #include <deque>
 #include <functional>
 #include <list>
-#include <optional>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/document/save_values.h"
+#include "src/plan/setup.h"
 #include "src/plan/values/animate.h"
-#include "src/plan/values/remembered.h"
 #include "src/plan/view.h"
 
 namespace snell {
@@ -64,35 +64,24 @@ public:
     std::size_t bytes() const { return bytes_; }
 
 private:
-    struct State {
-        std::vector<double> value;
-        double min = 0, max = 1;
-        bool operator==(const State&) const = default;
-    };
-    template <class T>
     struct Change {
-        std::string name;
-        T before, after;
-        bool operator==(const Change&) const = default;
-        const T& at(bool forward) const { return forward ? after : before; }
+        std::string before, after;
+        const std::string& at(bool forward) const { return forward ? after : before; }
     };
     struct Step {
-        std::vector<Change<State>> values;
-        std::vector<Change<std::string>> rungs;
-        std::optional<Change<View>> view;
-        int snapshot = 0;  // number of the one that was stored; 0 for none
-        SavedFile file;    // of the snapshots
+        std::map<std::string, Change> changes;  // by the keys of a Setup
+        int snapshot = 0;                       // number of the one that was stored; 0 for none
+        SavedFile file;                         // of the snapshots
         std::uint64_t presses = 0;
         double time = 0;
 
-        bool empty() const { return values.empty() && rungs.empty() && !view && snapshot == 0; }
+        bool empty() const { return changes.empty() && snapshot == 0; }
         std::size_t bytes() const;
         bool extends(const Step& last) const;
         // Returns false if both together change nothing.
         bool merge(Step&& later);
     };
 
-    static State state_of(const Control& control) { return {control.value, control.min, control.max}; }
     // Sets what moves to the value from before its motion.
     void rest(const Scene& scene, Controls& controls, std::span<const Animated> moving) const;
     // The index into controls_; `names` are those of the other controls, or empty if they are the same uniforms.
@@ -104,18 +93,21 @@ private:
     void follow_text(const std::string& name, const Control& old, const Control& control);
     void name_objects(const Scene& scene, const View& view);
     std::string go(const UserState& state, bool forward);
-    std::string apply(const Step& step, const UserState& state, bool forward);
-    std::string apply_values(const Step& step, const UserState& state, bool forward, std::size_t& count);
+    static std::string apply(const Step& step, const UserState& state, bool forward);
+    // What of the step is not as it was before.
+    static std::string words_of(const Step& step, const Setup& before, const UserState& state);
+    // Gives objects their new indices; what was changed of those that are gone is removed.
+    static void carry_changes(const std::vector<std::string>& from, const std::vector<std::string>& to, Step& step);
 
     std::deque<Step> steps_;
     std::size_t done_ = 0;   // how many of them are not undone
     std::size_t bytes_ = 0;  // of all steps, about
     bool open_ = false;      // whether the last step may be extended
     bool held_ = false;      // whether the gesture was busy
-    // The state after the steps that are done, with the names of controls, ladders and rungs.
+    // The state after the steps that are done, as text and as the values that each frame is compared with.
+    Setup setup_;
     Controls controls_, at_rest_;  // at_rest_ only keeps its memory from frame to frame
     std::vector<std::string> names_;
-    std::vector<std::pair<std::string, std::string>> rungs_;
     View view_;
     std::vector<std::string> objects_;  // names of the scene's objects; empty until one was moved
 };

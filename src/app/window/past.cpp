@@ -2,9 +2,12 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "parser/text/ranges.h"
-#include "src/document/save_values.h"
+#include "parser/text/words.h"
 #include "src/plan/objects.h"
+#include "src/plan/setup.h"
 
 namespace snell {
 
@@ -26,36 +29,32 @@ bool same_values(const Controls& a, const Controls& b) {
     return a.rungs == b.rungs && ranges::equal(a.items, b.items, {}, &Control::value, &Control::value);
 }
 
+std::string object_key(unsigned index) { return fmt::format("{}object{}", view_option, index); }
+
 // Sets the view that was kept. Objects are found again by their names.
-void set_view(const KeptScene& kept, const Scene& scene, View& view) {
+void set_view(const Remembered& kept, const Scene& scene, View& view) {
     View found;
-    if (!parse_view(kept.view, found).empty()) return;
     found.axes = view.axes;
+    snell::apply(kept.chosen, found);
     const std::map<unsigned, Transformation> objects = std::exchange(found.objects, {});
     const std::vector<std::string> names = objects.empty() ? std::vector<std::string>{} : object_names(scene);
     for (const auto& [index, transformation] : objects) {
-        const auto name = kept.objects.find(index);
-        if (name == kept.objects.end()) continue;
-        const auto there = ranges::find(names, name->second);
+        const auto name = kept.written.find(object_key(index));
+        if (name == kept.written.end()) continue;
+        const auto there = ranges::find(names, name->second, utf8::printable);
         if (there != names.end()) found.objects[static_cast<unsigned>(there - names.begin())] = transformation;
     }
     view = std::move(found);
 }
 
-std::map<unsigned, std::string> moved_objects(const Scene& scene, const View& view) {
-    std::map<unsigned, std::string> moved;
-    if (view.objects.empty()) return moved;
-    const std::vector<std::string> names = object_names(scene);
-    for (const auto& [index, transformation] : view.objects)
-        if (index < names.size()) moved[index] = names[index];
-    return moved;
-}
-
 }  // namespace
 
-const Remembered& Past::read(const std::string& scene) {
+Remembered Past::read(const std::string& scene) {
     kept_ = read_kept(folder_, scene);
-    return kept_.set;
+    Remembered values = kept_;
+    for (Setup* setup : {&values.chosen, &values.written})
+        for (const std::string_view option : {view_option, axes_option}) erase(*setup, option);
+    return values;
 }
 
 std::string Past::begin(Session& session, View& view) {
@@ -67,7 +66,9 @@ std::string Past::begin(Session& session, View& view) {
     name_ = kept_name(session.path());
     flat_ = flat_picture(document.scene());
     first_axes_ = !flat_ && axes_;
-    view.axes = kept_.axes.value_or(first_axes_);
+    view.axes = first_axes_;
+    if (const auto axes = kept_.chosen.find(std::string(axes_option)); axes != kept_.chosen.end())
+        view.axes = axes->second == "on";
     const View plain = view;
     set_view(kept_, document.scene(), view);
     const Controls written = as_written(document.controls, session.first_rungs());
@@ -134,16 +135,23 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
     return requests.undo ? history().undo(state) : history().redo(state);
 }
 
-KeptScene Past::state(Session& session, const View& view) const {
-    return {session.remembered(), view_text(view), moved_objects(session.document()->scene(), view), kept_.axes};
+Remembered Past::state(Session& session, const View& view, bool axes) const {
+    Remembered kept = session.remembered();
+    for (auto& [key, value] : setup_of(view)) kept.chosen[key] = value;
+    kept.chosen.erase(std::string(axes_option));
+    if (axes) kept.chosen[std::string(axes_option)] = view.axes ? "on" : "off";
+    const std::vector<std::string> names =
+        view.objects.empty() ? std::vector<std::string>{} : object_names(session.document()->scene());
+    for (const auto& [index, transformation] : view.objects)
+        if (index < names.size()) kept.written[object_key(index)] = utf8::printable(names[index]);
+    return kept;
 }
 
 void Past::write(Session& session, const View& view) {
     if (name_.empty() || !session.document()) return;
     if (!flat_) axes_ = view.axes;
     if (!std::exchange(changed_, false)) return;
-    KeptScene kept = state(session, view);
-    if (kept.axes || view.axes != first_axes_) kept.axes = view.axes;
+    Remembered kept = state(session, view, kept_.chosen.contains(std::string(axes_option)) || view.axes != first_axes_);
     if (kept == kept_) return;
     // An error is ignored, because only comfort is lost.
     write_kept(folder_, name_, kept);
@@ -151,9 +159,7 @@ void Past::write(Session& session, const View& view) {
 }
 
 void Past::hand_on(Session& session, const std::string& scene, const View& view) {
-    KeptScene kept = state(session, view);
-    kept.axes = view.axes;
-    write_kept(folder_, scene, kept);
+    write_kept(folder_, scene, state(session, view, true));
 }
 
 }  // namespace snell

@@ -21,7 +21,7 @@ public:
     explicit Past(std::string folder) : folder_(std::move(folder)) {}
 
     // Reads what is kept of a scene, with which a session can begin.
-    const Remembered& read(const std::string& scene);
+    Remembered read(const std::string& scene);
     // Begins with a scene that was just opened: its view and axes are as they were last. Returns what the user should
     // know, or "".
     std::string begin(Session& session, View& view);
@@ -57,11 +57,11 @@ public:
 private:
     History& history() { return histories_.use(name_); }
     // What is to be kept of the open scene.
-    KeptScene state(Session& session, const View& view) const;
+    Remembered state(Session& session, const View& view, bool axes) const;
 
     std::string folder_;
     std::string name_;  // of the open scene; empty until it could be read
-    KeptScene kept_;    // as read, then as written last
+    Remembered kept_;   // as read, then as written last
     Histories histories_;
     bool flat_ = false, axes_ = true, first_axes_ = true;  // axes_: as in the last scene that was not flat
     bool continued_ = false;                               // the scene, once it can be read, begins as the view is

@@ -12,7 +12,7 @@
 #include "src/app/desktop/watch.h"
 #include "src/app/window/survive/keeper.h"
 #include "src/document/document.h"
-#include "src/plan/values/remembered.h"
+#include "src/plan/setup.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {

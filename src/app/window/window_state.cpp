@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "src/content/replace.h"
-#include "src/document/save_values.h"
 #include "src/gl/debug.h"
+#include "src/plan/setup.h"
 #include "src/runtime/inspect.h"
 
 namespace snell {

@@ -8,6 +8,7 @@
 
 #include "parser/text/number.h"
 #include "parser/text/words.h"
+#include "src/plan/values/carry.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/values/declared.h"
 
@@ -76,6 +77,10 @@ std::vector<Control*> named(Controls& controls, const Scene& scene, std::string_
          dot = name.find('.', dot + 1)) {
         collect(name.substr(dot + 1), name.substr(0, dot));
     }
+    if (!found.empty() || name.find('#') == std::string_view::npos) return found;
+    const std::vector<std::string> names = control_names(scene, controls);  // "P#2.uA" of the second program P
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) found.push_back(&controls.items[i]);
     return found;
 }
 

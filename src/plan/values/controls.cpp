@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
+#include "src/plan/values/carry.h"
 #include "src/plan/values/declared.h"
-#include "src/plan/values/remembered.h"
 
 namespace snell {
 namespace {
@@ -417,6 +418,34 @@ bool same_uniforms(const Controls& a, const Controls& b) {
     });
 }
 
+std::vector<std::string> control_names(const Scene& scene, const Controls& controls) {
+    std::map<std::string_view, int> count;
+    std::vector<std::string> programs;
+    for (const Program& program : scene.programs) {
+        const int before = count[program.name]++;
+        programs.push_back(before == 0 ? program.name : fmt::format("{}#{}", program.name, before + 1));
+    }
+    std::vector<std::string> names;
+    names.reserve(controls.items.size());
+    for (const Control& control : controls.items) names.push_back(programs[control.program] + "." + control.name);
+    return names;
+}
+
+void take_value(const Control& from, Control& control, Follow follow) {
+    control.value = from.value;
+    if (control.widget != Widget::slider) return;
+    const bool same_range = from.initial_min == control.initial_min && from.initial_max == control.initial_max;
+    const auto [lowest, highest] = std::minmax_element(control.value.begin(), control.value.end());
+    control.min = control.initial_min;
+    control.max = control.initial_max;
+    if (!same_range && follow == Follow::text) {
+        for (double& value : control.value) value = std::clamp(value, control.min, control.max);
+    } else if (*lowest < control.min || *highest > control.max) {
+        control.min = std::min({control.min, same_range ? from.min : *lowest, *lowest});
+        control.max = std::max({control.max, same_range ? from.max : *highest, *highest});
+    }
+}
+
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
     carry_over(from.rungs, from_scene, to.rungs, to_scene);
     const std::vector<std::string> old_names = control_names(from_scene, from), names = control_names(to_scene, to);
@@ -429,7 +458,7 @@ void carry_over(const Controls& from, const Scene& from_scene, Controls& to, con
         Control& control = to.items[i];
         if (old.type != control.type || old.components != control.components || old.array_size != control.array_size)
             continue;
-        if (old.initial == control.initial) take_value(remembered(old), control);
+        if (old.initial == control.initial) take_value(old, control);
     }
 }
 

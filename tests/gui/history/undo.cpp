@@ -172,7 +172,7 @@ TEST_F(Past, AUniformThatItsLineDoesNotListForAWhileHasItsPosition) {
 
 TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
     open("one.glib");
-    save("one.snapshots.json", R"({"1": {"values": {}, "ladders": {"TINT": "light"}}})");
+    save("one.snapshots.json", R"({"1": {"options": "--ladder TINT=light"}})");
     press("F5");
     press("1");
     ASSERT_TRUE(wait([](const json& s) { return s["rungs"]["TINT"] == "light"; }));

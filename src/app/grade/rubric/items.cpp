@@ -10,9 +10,9 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/grade/rubric/table.h"
-#include "src/document/save_values.h"
 #include "src/gl/program.h"
 #include "src/lint/lint.h"
+#include "src/plan/setup.h"
 #include "src/runtime/resources/counters.h"
 
 namespace snell::app {

@@ -16,6 +16,7 @@
 #include "src/app/open/command_text.h"
 #include "src/app/open/write_copy.h"
 #include "src/app/window/measure/found_rows.h"
+#include "src/plan/setup.h"
 
 namespace snell {
 
@@ -34,15 +35,6 @@ Stand circumstances(Stand stand) {
     stand.view.axes = false;
     stand.view.mouse_x = stand.view.mouse_y = 0;
     return stand;
-}
-
-std::vector<std::string> assignments(const Document& scene) {
-    std::vector<std::string> sets;
-    for (const Control& control : scene.controls.items)
-        if (control.active && control.value != control.initial)
-            sets.push_back(fmt::format("{}.{}={}", scene.scene().programs[control.program].name, control.name,
-                                       fmt::join(control.value, ",")));
-    return sets;
 }
 
 // The folder that a rung is written to if the user names no other one: beside the scene.
@@ -149,7 +141,7 @@ void FoundView::begin(Document& scene, const Stand& stand) {
                           accuracy::BenchSettings{.width = stand.width,
                                                   .height = stand.height,
                                                   .time = stand.time,
-                                                  .sets = assignments(scene),
+                                                  .sets = set_arguments(scene.scene(), scene.controls),
                                                   .view = sought.at.view},
                           std::move(options));
 }
@@ -241,8 +233,9 @@ void FoundView::serve(const ui::Requests& requests, Document& scene, const Stand
 
 std::string FoundView::command() const {
     if (facts_.shown.empty()) return "";
-    return apply_command(path_, changed_rungs(sought_->plan.scene, sought_->plan.rungs), facts_.shown,
-                         folder_for(path_, facts_.shown).string());
+    return apply_command(path_,
+                         arguments_of(changed_setup(sought_->plan.scene, {{}, sought_->plan.rungs}), ladder_option),
+                         facts_.shown, folder_for(path_, facts_.shown).string());
 }
 
 }  // namespace snell

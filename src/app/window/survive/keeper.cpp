@@ -11,6 +11,7 @@
 #include "src/content/files.h"
 #include "src/content/replace.h"
 #include "src/document/save_values.h"
+#include "src/plan/setup.h"
 #include "src/ui/kit/numbers.h"
 
 namespace snell {
@@ -116,8 +117,8 @@ Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> f
 // Parts are separated by 0, the only byte that names of files cannot hold.
 std::string carried_text(const Carried& carried) {
     const auto [width, height] = carried.size;
-    std::string text = fmt::format("{} {} {} {}", width, height, carried.time, carried.view.axes ? 1 : 0);
-    for (const std::string& part : {view_text(carried.view), carried.recovery.values, carried.scene})
+    std::string text = fmt::format("{} {} {}", width, height, carried.time);
+    for (const std::string& part : {setup_text(setup_of(carried.view)), carried.recovery.values, carried.scene})
         text.append(1, '\0').append(part);
     for (const std::string& file : carried.recovery.files) text.append(1, '\0').append(file);
     return text;
@@ -127,13 +128,11 @@ Carried read_carried(const std::string& text) {
     std::vector<std::string> parts;
     for (std::size_t at = 0; at < text.size(); at += parts.back().size() + 1) parts.emplace_back(text.c_str() + at);
     Carried carried;
-    carried.view.axes = true;
+    carried.view.axes = parts.size() < 4;
     if (parts.size() < 4) return carried;
-    int axes = 1;
     auto& [width, height] = carried.size;
-    std::sscanf(parts[0].c_str(), "%d %d %lf %d", &width, &height, &carried.time, &axes);
-    carried.view.axes = axes != 0;
-    parse_view(parts[1], carried.view);
+    std::sscanf(parts[0].c_str(), "%d %d %lf", &width, &height, &carried.time);
+    snell::apply(read_setup(parts[1]), carried.view);
     carried.recovery.values = parts[2];
     carried.scene = parts[3];
     carried.recovery.files.assign(parts.begin() + 4, parts.end());

@@ -66,9 +66,9 @@ struct Kept {
 struct Recovery {
     std::shared_ptr<const Kept> kept;  // the last state that was drawn without problems; null if nothing is shown
     std::vector<std::string> files;    // files in use; a change of one makes the window try again
-    std::string values;   // the values that differ from the scene's, for restore_changed() once the scene is read
-    Diagnostic problem;   // what happened, and what the user can do
-    bool edited = false;  // a file was saved while no window watched it
+    std::string values;                // setup_text() of what differs from the scene, for when the scene is read
+    Diagnostic problem;                // what happened, and what the user can do
+    bool edited = false;               // a file was saved while no window watched it
 };
 
 // The initial state of a window that replaces another one.
