@@ -58,6 +58,29 @@ TEST_F(SwitchedOff, AnotherValueBringsEverythingBack) {
     EXPECT_EQ(document->runtime->counters().specialised_draws, 1U);
 }
 
+// 0 times a number is 0, but 0 times infinity is not: whether a factor is finite is known of some functions.
+TEST_F(SwitchedOff, FactorsThatAreSurelyFinite) {
+    const std::pair<const char*, bool> factors[] = {{"length(t)", true},
+                                                    {"distance(t, vec3(uGain))", true},
+                                                    {"cross(t, t.yzx).x", true},
+                                                    {"smoothstep(.2, .4, t.r)", true},
+                                                    {"smoothstep(uGain, 2., t.r)", true},
+                                                    {"smoothstep(uGain, 1., t.r)", false},
+                                                    {"smoothstep(0., vST.x, t.r)", false},
+                                                    {"normalize(t).x", false},
+                                                    {"length(t * vST.x)", false},
+                                                    {"log(t.r)", false},
+                                                    {"1. / t.r", false}};
+    for (const auto& [factor, finite] : factors) {
+        auto document = settle("Texture2D 5 t1.bmp\n" +
+                               quad("uniform sampler2D uT;\nuniform float uMix, uGain;",
+                                    "vec3 t = texture(uT, vST).rgb;\ngl_FragColor = vec4(vec3(.5 + uMix * " +
+                                        std::string(factor) + "), 1.);",
+                                    "uT 5 uMix <0. 0. 1.> uGain <0. 1. 2.>"));
+        EXPECT_EQ(document->runtime->counters().images_spared, finite ? 1U : 0U) << factor;
+    }
+}
+
 TEST_F(SwitchedOff, NoiseAndPassesThatOnlyDeadCodeReadsAreNotMade) {
     const std::string noise = quad("uniform sampler3D Noise3;\nuniform float uNoiseAmp;",
                                    "float n = uNoiseAmp * texture(Noise3, vec3(vST, .5)).r;\n"

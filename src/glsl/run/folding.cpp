@@ -564,6 +564,12 @@ private:
         if (i.text == "mix" && given.size() == 3)
             return product(given[0].fold.most + given[1].fold.most, 1 + given[2].fold.most);
         if (i.text == "dot") return 4 * product(given[0].fold.most, given[1].fold.most);
+        if (i.text == "cross") return 2 * product(given[0].fold.most, given[1].fold.most);
+        if (i.text == "length" || i.text == "distance") return product(most, most) < largest ? 4 * most : endless;
+        if (i.text == "smoothstep" && given.size() == 3 && given[0].fold.sure == Sure::number &&
+            given[1].fold.sure == Sure::number && apart(given[0].fold, given[1].fold) &&
+            given[0].fold.number != given[1].fold.number)
+            return most < endless ? 1 : endless;
         // Texels are finite: images with others are mended, and targets hold 8 bits.
         const bool texel =
             i.text.starts_with("texture") && i.text.find("Quer") == i.text.npos && i.text.find("Size") == i.text.npos;
