@@ -327,6 +327,8 @@ TEST_F(RandomPrograms, ZerosThatADriverFindsAreHidden) {
           "a *= 0. / uV.y; v.x = 1. / a; for (int i = 0; i < uN; ++i) a += i == 0 ? 0. : live.y; if (uOn) c = 1.;",
           "v = uV * b; set(c, float(uN) / v.x); if (!uOn) { if (k > uN) v.y = 0.; }",
           "c *= 0. / uV.y; if (uOn) v.y = 1.; else v.y = live.z / c;", "a /= v.x * live.x; if (uOn) b = 1.;",
+          "if (uOn) c = log2(live.y); c = exp2(c);", "if (uOn) c = log2(live.y); c = exp2(2. * c);",
+          "if (uOn) c = exp2(live.y * 1e4); c = log2(c);", "if (uOn) c = sqrt(live.y); c = c * c;",
           "b = 1.; if (!uOn) { b = a; c = vST.y; } c = uV.x / (b - c);", "if (uOn) c -= c; set(c, uV.x / c);",
           "if (uOn) v.y = live.y - live.y; c = uV.x / v.y;", "c = changed(0., live.x + 1.) * (1. / b);",
           "Part p = Part(0., vec2(0.)); if (uOn) p = Part(a, vec2(a)); c = p.x * (a / uK) + p.y.x * log(b);",

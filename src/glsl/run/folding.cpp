@@ -37,7 +37,11 @@ Fold constant(bool zero) {
     return fold;
 }
 
-Fold both(const Fold& a, const Fold& b, bool zero) { return is_live(a) || is_live(b) ? Fold{} : constant(zero); }
+Fold both(const Fold& a, const Fold& b, bool zero) {
+    Fold fold = is_live(a) || is_live(b) ? Fold{} : constant(zero);
+    fold.cancels = a.cancels || b.cancels;
+    return fold;
+}
 
 // A difference of floats may be 0 where one of doubles is not.
 bool vanishes(double value, double a, double b) {
@@ -156,6 +160,7 @@ Fold either(const Fold& a, const Fold& b) {
         const Fold& known = is_live(a) ? b : a;
         one.kind = known.kind, one.zero = known.zero, one.value = known.value;
     }
+    one.cancels = a.cancels || b.cancels;
     know_either(one, a, b);
     return one;
 }
@@ -163,8 +168,8 @@ Fold either(const Fold& a, const Fold& b) {
 bool same(const Fold& a, const Fold& b) {
     const bool value = a.value == b.value || (std::isnan(a.value) && std::isnan(b.value));
     const bool number = a.sure != Sure::number || (a.base == b.base && a.number == b.number && a.exact == b.exact);
-    return value && number && a.kind == b.kind && a.zero == b.zero && a.sure == b.sure && a.most == b.most &&
-           a.from == b.from;
+    return value && number && a.kind == b.kind && a.zero == b.zero && a.cancels == b.cancels && a.sure == b.sure &&
+           a.most == b.most && a.from == b.from;
 }
 
 bool decided(const Fold& fold) { return fold.sure == Sure::number && fold.from != 0; }
@@ -284,7 +289,8 @@ private:
         for (const std::size_t n : marks->second) {
             const int one = u_.marks[n].one;
             if (step < 0 && one != into) continue;
-            const bool now = choosing_ && !is_live(fold) && (one < 0 || one_of_several(one));
+            const bool found = !is_live(fold) || (one >= 0 && fold.cancels);
+            const bool now = choosing_ && found && (one < 0 || one_of_several(one));
             changed_ = changed_ || (now && !hidden_[n]);
             if (now) hidden_[n] = true;
             any = any || hidden_[n];
@@ -292,7 +298,7 @@ private:
         return any;
     }
     static Fold unseen(Fold fold) {
-        fold.kind = Kind::live, fold.zero = false;
+        fold.kind = Kind::live, fold.zero = fold.cancels = false;
         fold.value = std::numeric_limits<double>::quiet_NaN();
         return fold;
     }
@@ -534,6 +540,8 @@ private:
         constexpr std::string_view keep_zero[] = {"abs", "sqrt", "min",     "max",    "clamp",
                                                   "mix", "sign", "radians", "degrees"};
         result.zero = !is_live(result) && (result.zero || ranges::count(keep_zero, i.text) == 0);
+        constexpr std::string_view invertible[] = {"sqrt", "inversesqrt", "exp", "exp2", "log", "log2", "pow"};
+        result.cancels = ranges::count(invertible, i.text) > 0;
         if (folds(i.text, given)) result.kind = Kind::constant, result.zero = true;
         if (!is_live(result) && given.size() == 1 && !std::isnan(given[0].fold.value))
             compute(i.text, given[0], result);

@@ -19,6 +19,7 @@ struct Fold {
     Kind kind = Kind::live;
     bool zero = false;                                        // a constant of which a component may be 0
     double value = std::numeric_limits<double>::quiet_NaN();  // of a scalar constant, where known
+    bool cancels = false;  // made of what a driver drops with its inverse, as in exp2(log2(x)), where x may be negative
 
     // In every run of the stage, while the settled uniforms have their values.
     enum class Sure : unsigned char { nothing, number, anything };  // never given; always the same; not known
