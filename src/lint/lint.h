@@ -34,6 +34,7 @@ enum class Rule : std::uint8_t {
     far_from_origin,
     smoothstep_without_width,
     encoded_light,
+    position_not_written,
     slider_without_effect,  // found by the driver's code of the programs: Runtime::without_effect
 };
 
@@ -57,5 +58,11 @@ std::string more(const RuleFacts& rule);
 // are added to `sources`; what is found in those that `include` gives for angle brackets is not reported, for they
 // are not the user's.
 Diagnostics check(const Plan& plan, Sources& sources, const glsl::IncludeReader& include);
+
+// Whether the finding is of a shader that certainly never ends.
+bool never_ends(const Diagnostic& found);
+// Whether a shader has so many rounds that a picture of it may take for ever, or be ended by the driver: what it shows
+// tells nothing.
+bool may_not_end(const Diagnostics& found);
 
 }  // namespace snell::lint

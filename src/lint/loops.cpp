@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "parser/text/number.h"
+#include "parser/text/ranges.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
@@ -22,6 +23,8 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double most_rounds = 65535;
 
 bool is_step(std::string_view t) { return t == "++" || t == "--"; }
+
+constexpr std::string_view go_round_text = "the loops of this shader go round ";
 
 std::string rounds_text(double rounds) {
     return rounds == endless ? "for ever" : fmt::format("about {:.0f} times", rounds);
@@ -82,6 +85,13 @@ double Walker::body_step(std::string_view name, int first, int last) const {
     return step;
 }
 
+// Whether the variable has the same value in every round. A function might change a global one.
+bool Walker::stays(std::string_view name, const Loop& loop) const {
+    for (int k = loop.body; k <= loop.body_end; ++k)
+        if (u_.function_names.contains(u_.at(k).text)) return false;
+    return !assigned(name, loop.step, loop.step_end - 1) && !assigned(name, loop.body, loop.body_end);
+}
+
 // 0: it is not known. A slider counts as far as it goes.
 double Walker::rounds_of(const Loop& loop) {
     const int begin = loop.condition, end = loop.condition_end;
@@ -93,7 +103,8 @@ double Walker::rounds_of(const Loop& loop) {
     const bool stepped = loop.step < loop.step_end;  // by its header
     const double step =
         stepped ? step_of(name, loop.step, loop.step_end - 1) : body_step(name, loop.body, loop.body_end);
-    if (slot < 0 || step == 0 || (stepped && assigned(name, loop.body, loop.body_end))) return 0;
+    const bool left_alone = step == 0 && stays(name, loop);
+    if (slot < 0 || (step == 0 && !left_alone) || (stepped && assigned(name, loop.body, loop.body_end))) return 0;
     const int here = std::exchange(p_, begin + 2);
     Value bound = expression().v;
     const bool whole = std::exchange(p_, here) == end;
@@ -103,6 +114,12 @@ double Walker::rounds_of(const Loop& loop) {
             set != around_.uniforms.end())
             bound.range = set->second.range;
     const Range& from = state_.slots[static_cast<std::size_t>(slot)].value.range;
+    const bool less = op == "<" || op == "<=", more = op == ">" || op == ">=";
+    if (left_alone || (less && step < 0) || (more && step > 0)) {
+        const bool begins = less ? from.real_hi && bound.range.real_lo && from.hi < bound.range.lo
+                                 : more && from.real_lo && bound.range.real_hi && from.lo > bound.range.hi;
+        return begins ? endless : 0;
+    }
     const bool up = step > 0 && from.real_lo && bound.range.real_hi;
     const bool down = step < 0 && from.real_hi && bound.range.real_lo;
     const double way = up ? bound.range.hi - from.lo : down ? from.hi - bound.range.lo : 0;
@@ -112,13 +129,22 @@ double Walker::rounds_of(const Loop& loop) {
     return (up && op == "<=") || (down && op == ">=") ? std::floor(rounds) + 1 : 0;
 }
 
+bool never_ends(const Diagnostic& found) {
+    return found.code == facts(Rule::many_rounds).code &&
+           found.message.starts_with(std::string(go_round_text) + rounds_text(endless));
+}
+
+bool may_not_end(const Diagnostics& found) {
+    return ranges::count(found.items(), facts(Rule::many_rounds).code, &Diagnostic::code) > 0;
+}
+
 void Walker::go_round(double rounds, int first, int last) {
     if (rounds <= 0 || state_.dead) return;
     rounds_ += weight_ * (rounds + 1);
     if (rounds_ <= most_rounds || told_rounds_) return;
     told_rounds_ = true;
     report(Rule::many_rounds, first, last,
-           "the loops of this shader go round " + rounds_text(rounds_) +
+           std::string(go_round_text) + rounds_text(rounds_) +
                ": without a GPU, Mesa's llvmpipe ends them after 65535, and the picture is what they had by then");
 }
 

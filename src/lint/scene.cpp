@@ -159,6 +159,7 @@ private:
         std::stable_sort(units.begin(), units.end(), [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
         Surroundings around = surroundings(index);
         check_samplers(index, units, around);
+        check_position(units);
         std::optional<Varyings> given;
         for (const Unit& unit : units) {
             check_shadows(unit);
@@ -172,6 +173,21 @@ private:
                           });
             given = walker.run();
         }
+    }
+
+    // Other stages behind it may place what it gives them.
+    void check_position(const std::vector<Unit>& units) {
+        const auto places = [](const Unit& unit) {
+            return unit.stage != Stage::vertex && unit.stage != Stage::fragment;
+        };
+        if (units.front().stage != Stage::vertex || ranges::any_of(units, places)) return;
+        const Unit& unit = units.front();
+        if (ranges::count(unit.tokens, std::string_view("gl_Position"), &glsl::Token::text) > 0) return;
+        for (const glsl::Function& function : unit.functions)
+            if (function.name == "main" && function.open >= 0)
+                report_tokens(unit, Rule::position_not_written, function.name_token, function.name_token,
+                              "this vertex shader never writes gl_Position, so that nothing certain is drawn with it",
+                              {});
     }
 
     void report_tokens(const Unit& unit, Rule rule, int first, int last, std::string message, std::vector<Note> notes) {

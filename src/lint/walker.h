@@ -90,6 +90,7 @@ private:
         int body, body_end;            // first and last token
         bool at_least_once = false;
     };
+    bool stays(std::string_view name, const Loop& loop) const;
     double rounds_of(const Loop& loop);
     void go_round(double rounds, int first, int last);
 

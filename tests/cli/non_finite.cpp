@@ -79,21 +79,66 @@ TEST_F(NonFiniteInput, NumbersOfTheSceneAreErrors) {
     }
 }
 
-// The whole picture is 0 / 0 where uA is 0: nothing is seen, and check says why, at the program.
-TEST_F(NonFiniteInput, CheckTellsWhatComputesNaN) {
-    folder.write("k.frag",
-                 "#version 330 compatibility\nuniform float uA;\nin vec2 vST;\nvoid main() {\n"
-                 "float k = uA * length(vST);\ngl_FragColor = vec4(sin(k) / k);\n}\n");
-    const auto check = [&](const std::string& value) {
-        folder.write("s.glib", "Vertex v.vert\nFragment k.frag\nProgram P uA <0. " + value +
-                                   " 1.>\nOrtho -1 1 -1 1\nQuadXY 0. 1.\n");
+// Where NaN begins, and only where: the expressions that only go on with it are not told.
+TEST_F(NonFiniteInput, CheckTellsWhereNaNBegins) {
+    folder.write("s.glib", "Vertex v.vert\nFragment k.frag\nProgram P uA <0. 0. 1.>\nOrtho -1 1 -1 1\nQuadXY 0. 1.\n");
+    folder.write("w.vert",
+                 "#version 330 compatibility\nuniform float uA;\nout float vK;\nvoid main() {\n"
+                 "vK = uA / uA;\ngl_Position = ftransform();\n}\n");
+    folder.write("w.frag", "#version 330 compatibility\nin float vK;\nvoid main() { gl_FragColor = vec4(vK * 2.); }\n");
+    folder.write("w.glib", "Vertex w.vert\nFragment w.frag\nProgram P uA <0. 0. 1.>\nOrtho -1 1 -1 1\nQuadXY 0. 1.\n");
+    const auto check = [&](const std::string& main, const std::string& version = "#version 330 compatibility\nin") {
+        folder.write("k.frag", version +
+                                   " vec2 vST;\nuniform float uA;\nfloat half_of(float x) { return .5 * x; }\n"
+                                   "void main() {\n" +
+                                   main + "\n}\n");
         return snell("check " + at("s.glib"));
     };
-    const Outcome zero = check("0."), half = check(".5");
-    EXPECT_EQ(zero.status, 0) << "a warning";
-    EXPECT_TRUE(zero.says("s.glib:3:1: warning: program 'P' computes NaN")) << zero.output;
-    EXPECT_TRUE(zero.says("in 16384 of the 16384 pixels")) << zero.output;
-    EXPECT_FALSE(half.says("NaN")) << half.output;
+    struct Row {
+        std::string main, place, words;
+    };
+    for (const Row& row : std::initializer_list<Row>{
+             {"float k = uA * length(vST);\ngl_FragColor = vec4(sin(k) / k);", "7:21", "'sin(k) / k' is NaN"},
+             {"float k = uA; float x = 2. * k;\nx /= k;\ngl_FragColor = vec4(half_of(x));", "7:1", "0 is divided by 0"},
+             {"gl_FragColor = vec4(\n  half_of(sqrt(uA - 1.)) + 1.);", "7:11", "square root of a negative number"},
+             {"vec3 n = normalize(vec3(uA));\ngl_FragColor = vec4(n, 1.);", "6:10", "a vector of length 0"},
+             {"mat2 m = inverse(mat2(uA, 1., uA, 1.));\ngl_FragColor = vec4(m[0] * uA, 0., 1.);", "6:10",
+              "the matrix has no inverse"},
+             {"float big = exp(100. + uA);\ngl_FragColor = vec4(big * uA);", "6:13",
+              "is infinite, and NaN (not a number) is computed from it"},
+             {"float far = 1. / uA;\ngl_FragColor = vec4(far * uA);", "6:13", "a number is divided by 0"},
+             // NaN that does not reach the colour is not told.
+             {"float lost = uA / uA;\nif (lost > 2.) discard;\ngl_FragColor = vec4(log(uA - 1.));", "8:21",
+              "logarithm of a negative number"}}) {
+        const Outcome told = check(row.main);
+        EXPECT_EQ(told.status, 0) << "a warning";
+        EXPECT_TRUE(told.says("k.frag:" + row.place + ": warning: '")) << row.main << told.output;
+        EXPECT_TRUE(told.says(row.words)) << row.main << told.output;
+        EXPECT_TRUE(told.says("s.glib:3:1: note: the program")) << told.output;
+    }
+    EXPECT_TRUE(check("gl_FragColor = vec4(vST.s + uA / uA);").says("in 16384 of the 16384 pixels"));
+    EXPECT_TRUE(
+        check("gl_FragColor = vec4(vST.s + uA / uA);", "varying").says("k.frag:5:29: warning: 'uA / uA' is NaN"));
+    EXPECT_FALSE(check("gl_FragColor = vec4(sin(uA + 1.) / (uA + 1.));").says("NaN"));
+    const Outcome before = snell("check " + at("w.glib"));
+    EXPECT_TRUE(before.says("w.vert:5:6: warning: 'uA / uA' is NaN")) << before.output;
+    // Several colours: the place is not certain.
+    const Outcome two = check("c = d = vec4(uA / uA);", "#version 330\nout vec4 c, d; in");
+    EXPECT_TRUE(two.says("s.glib:3:1: warning: program 'P' computes NaN")) << two.output;
+}
+
+// What a shader that never ends would show tells nothing: only that is said.
+TEST_F(NonFiniteInput, EndlessLoopsAreToldAlone) {
+    folder.write("s.glib", "Vertex v.vert\nFragment k.frag\nProgram P uA <0. 0. 1.>\nOrtho -1 1 -1 1\nQuadXY 0. 1.\n");
+    for (const std::string loop : {"while (true) x += uA / uA;", "for (int i = 0; i < 9; --i) x += uA / uA;",
+                                   "int i = 0; while (i < 9) x += uA * 0.;"}) {
+        folder.write("k.frag", "#version 330 compatibility\nuniform float uA;\nvoid main() { float x = 0.; " + loop +
+                                   "\ngl_FragColor = vec4(x); }\n");
+        const Outcome told = snell("check " + at("s.glib"));
+        EXPECT_TRUE(told.says("for ever")) << told.output;
+        EXPECT_FALSE(told.says("NaN")) << told.output;
+        EXPECT_FALSE(told.says("no effect")) << told.output;
+    }
 }
 
 TEST_F(NonFiniteInput, OptionsAreRefused) {

@@ -1,4 +1,5 @@
 // Loops that go on and on: told where their rounds are known, and only there.
+#include "parser/text/ranges.h"
 #include "tests/lint/help.h"
 
 namespace snell::lint {
@@ -74,6 +75,16 @@ TEST(LintLoops, WithoutAnEnd) {
     EXPECT_TRUE(told(looping("while (true) x += 1.;")));
     EXPECT_TRUE(told(looping("for (;;) { x += 1.; }")));
     EXPECT_TRUE(told(looping("for (int i = 0; true; ++i) x += 1.;")));
+    // They begin, and do not come nearer to their end.
+    for (const char* loop : {"for (int i = 0; i < 10; --i) x += 1.;", "for (int i = 0; i < 10;) x += 1.;",
+                             "for (float f = 1.; f > 0.; f += .1) x += f;", "int i = 0; while (i < 10) x += uX;",
+                             "int i = 0; do { --i; } while (i < 70000);"})
+        EXPECT_NE(looping(loop).text().find("for ever"), std::string::npos) << loop << looping(loop).text();
+    const auto endless = [](const std::string& loop) {
+        return ranges::any_of(looping(loop).found.items(), never_ends);
+    };
+    EXPECT_TRUE(endless("while (true) x += 1.;"));
+    EXPECT_FALSE(endless("for (int i = 0; i < 70000; ++i) x += 1.;"));
     EXPECT_NE(looping("while (true) x += 1.;").text().find("for ever"), std::string::npos);
 }
 
@@ -93,7 +104,10 @@ TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
                              "int i = 0; while (i < 70000) { ++i; if (x > uX) break; }",
                              "int i = 0; do { ++i; if (x > uX) return; } while (i < 70000);",
                              "int i = 0; do { ++i; i = i * 2; } while (i < 70000);",
-                             "int i = 0; do { --i; } while (i < 70000);",
+                             "int i = 20; while (i < 10) x += 1.;",
+                             "for (int i = 20; i < 10; --i) x += 1.;",
+                             "for (int i = 0; i < 10;) { i = uM; x += 1.; }",
+                             "for (int i = uM; i < 10; --i) x += 1.;",
                              "int i = 0; while (i < 70000) { for (int k = 0; k < uM; ++k) ++i; }",
                              "do { x += 1.; if (x > uX) break; } while (true);",
                              "for (int i = 0; i > 100000; ++i) x += 1.;",

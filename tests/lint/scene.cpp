@@ -115,6 +115,21 @@ TEST(LintProgram, ThatDrawsNothing) {
     EXPECT_TRUE(good.found.empty()) << good.text();
 }
 
+TEST(LintPosition, OfAVertexShaderThatGivesNone) {
+    const std::string scene = "Vertex p.vert\nFragment p.frag\nProgram Seen\nSphere\n";
+    const std::string_view nowhere = "varying vec3 vN;\nvoid main() { vN = gl_Normal; }\n";
+    const Linted bad = lint(scene, {{"p.vert", nowhere}, {"p.frag", plain_frag}});
+    EXPECT_EQ(bad.place("position-not-written"), "p.vert:2:6") << bad.text();
+    // A macro, a function, or a stage behind it may do so.
+    for (const std::string_view somewhere :
+         {"#define PLACE gl_Position\nvoid main() { PLACE = ftransform(); }\n",
+          "void place() { gl_Position = ftransform(); }\nvoid main() { place(); }\n"})
+        EXPECT_FALSE(lint(scene, {{"p.vert", somewhere}, {"p.frag", plain_frag}}).has(Rule::position_not_written));
+    EXPECT_FALSE(lint("Vertex p.vert\nGeometry p.geom\nFragment p.frag\nProgram Seen\nSphere\n",
+                      {{"p.vert", nowhere}, {"p.geom", "void main() { }\n"}, {"p.frag", plain_frag}})
+                     .has(Rule::position_not_written));
+}
+
 constexpr std::string_view cube_frag =
     "uniform samplerCube uSky;\nuniform sampler2D uWood;\nvarying vec3 vD;\n"
     "void main() { gl_FragColor = textureCube(uSky, vD) + texture2D(uWood, vD.xy); }\n";

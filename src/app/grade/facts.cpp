@@ -211,7 +211,7 @@ std::string tried_values(const snell::Control& slider) {
 }  // namespace
 
 void add_idle_sliders(Document& document, double seconds) {
-    if (!document.runtime || document.diagnostics.has_errors()) return;
+    if (!document.runtime || document.diagnostics.has_errors() || lint::may_not_end(document.diagnostics)) return;
     const lint::RuleFacts& rule = lint::facts(lint::Rule::slider_without_effect);
     for (const snell::Control* slider : document.runtime->without_effect(seconds)) {
         const Program& program = document.scene().programs[slider->program];

@@ -21,8 +21,6 @@ class Averages {
 public:
     Averages(const Shader& shader, const std::vector<Change>& changes, Offers& offers)
         : s_(shader), changes_(changes), offers_(offers) {
-        for (std::size_t f = 0; f < s_.unit.functions.size(); ++f)
-            if (s_.unit.functions[f].name == "main" && s_.unit.functions[f].open >= 0) main_ = static_cast<int>(f);
         for (int n = 0; n < s_.nodes(); ++n) {
             if (s_.at(n).form == Form::call) called_.insert(s_.at(n).text);
             const int f = s_.at(n).first < 0 ? -1 : s_.function_of(s_.at(n).first);
@@ -31,7 +29,7 @@ public:
     }
 
     void run() {
-        const std::string output = output_name();
+        const std::string output = s_.plan.scene.output == Encoding::raw ? colour_output(s_) : "";
         if (output.empty() || !in_window()) return;
         struct Candidate {
             int node, work;
@@ -49,22 +47,6 @@ public:
 
 private:
     const glsl::Function& function(int index) const { return s_.unit.functions[static_cast<std::size_t>(index)]; }
-
-    // What the colour is written to: a variable with four components; empty: that is not certain.
-    std::string output_name() const {
-        const bool editable = main_ >= 0 && s_.own(function(main_).name_token, function(main_).name_token) &&
-                              s_.own(function(main_).close, function(main_).close) && s_.ahead_of(main_);
-        if (!editable || s_.plan.scene.output != Encoding::raw) return {};
-        std::string name = "gl_FragColor";
-        int outputs = 0;
-        for (const glsl::Global& global : s_.unit.globals) {
-            if (global.qualifiers.storage != glsl::Storage::out) continue;
-            const bool colour = real_vector(global.type) && global.type.rows == 4;
-            if (!colour || ++outputs > 1) return {};
-            name = global.name;
-        }
-        return name;
-    }
 
     // What is drawn to textures may be read again, and would then be another picture.
     bool in_window() const {
@@ -168,35 +150,63 @@ private:
     // A shader that writes the mean of two components over all times that it computes the expression.
     std::vector<Edit> probe(int n, const std::string& type, const std::string& output, int channel) const {
         const Span span = s_.span(n), ahead = *s_.ahead_of(s_.function_of(s_.at(n).first));
-        const Span name = s_.span(function(main_).name_token, function(main_).name_token),
-                   close = s_.span(function(main_).close, function(main_).close);
         const int rows = s_.at(n).type.rows;
         const auto component = [&](int c) {
             return rows == 1 ? std::string("snellSum") : fmt::format("snellSum.{}", "xyzw"[std::min(c, rows - 1)]);
         };
-        return {
+        std::vector<Edit> edits{
             {ahead, fmt::format("{0} snellSum = {0}(0.);\nfloat snellCount = 0.;\n{0} snellSeen({0} x) {{ snellSum += "
                                 "x; snellCount += 1.; return x; }}\n",
                                 type)},
             insertion(span, span.begin, "snellSeen("),
-            insertion(span, span.end, ")"),
-            {name, "snellAuthorMain"},
-            insertion(close, close.end,
-                      fmt::format("\nvoid main() {{\n    snellAuthorMain();\n    {} = snellCount > 0. ? vec4({} / "
-                                  "snellCount, {} / snellCount, {:.1f}, 1.) : vec4(0.);\n}}\n",
-                                  output, component(channel), component(channel + 1), probe_mark))};
+            insertion(span, span.end, ")")};
+        add_behind_main(s_,
+                        fmt::format("{} = snellCount > 0. ? vec4({} / snellCount, {} / snellCount, {:.1f}, 1.) : "
+                                    "vec4(0.);",
+                                    output, component(channel), component(channel + 1), probe_mark),
+                        edits);
+        return edits;
     }
 
     const Shader& s_;
     const std::vector<Change>& changes_;
     Offers& offers_;
-    int main_ = -1;
+    int main_ = s_.main();
     std::set<std::string_view> called_;
     std::map<std::string_view, std::vector<int>> bodies_;     // the nodes of the functions of a name
     std::map<std::pair<std::string_view, int>, Cost> costs_;  // by name and depth
 };
 
 }  // namespace
+
+// It can be called by another main, which is then the shader's.
+bool has_own_main(const Shader& shader) {
+    const int main = shader.main();
+    if (main < 0 || !shader.ahead_of(main)) return false;
+    const glsl::Function& function = shader.unit.functions[static_cast<std::size_t>(main)];
+    return shader.own(function.name_token, function.name_token) && shader.own(function.close, function.close);
+}
+
+std::string colour_output(const Shader& fragment) {
+    if (!has_own_main(fragment)) return {};
+    std::string name = "gl_FragColor";
+    int outputs = 0;
+    for (const glsl::Global& global : fragment.unit.globals) {
+        if (global.qualifiers.storage != glsl::Storage::out) continue;
+        const bool colour = real_vector(global.type) && global.type.rows == 4;
+        if (!colour || ++outputs > 1) return {};
+        name = global.name;
+    }
+    return name;
+}
+
+void add_behind_main(const Shader& shader, const std::string& statement, std::vector<Edit>& edits) {
+    const glsl::Function& main = shader.unit.functions[static_cast<std::size_t>(shader.main())];
+    const Span close = shader.span(main.close, main.close);
+    edits.push_back({shader.span(main.name_token, main.name_token), "snellAuthorMain"});
+    edits.push_back(
+        insertion(close, close.end, fmt::format("\nvoid main() {{\n    snellAuthorMain();\n    {}\n}}\n", statement)));
+}
 
 void add_expression_means(const Shader& fragment, const std::vector<Change>& changes, Offers& offers) {
     Averages(fragment, changes, offers).run();

@@ -117,6 +117,12 @@ int Shader::function_of(int token) const {
     return token >= 0 && token < static_cast<int>(functions_.size()) ? functions_[static_cast<std::size_t>(token)] : -1;
 }
 
+int Shader::main() const {
+    for (std::size_t f = 0; f < unit.functions.size(); ++f)
+        if (unit.functions[f].name == "main" && unit.functions[f].open >= 0) return static_cast<int>(f);
+    return -1;
+}
+
 bool Shader::written(int name) const {
     int node = name, around = parent(name);
     const auto first_of = [&](Form form) { return at(around).form == form && at(around).begin == at(node).begin; };

@@ -51,6 +51,8 @@ public:
     bool alike(int a, int b) const;
     // The function whose body holds the token, as an index into Unit::functions; -1: none.
     int function_of(int token) const;
+    // The function main with its body, as function_of; -1: there is none.
+    int main() const;
     // Whether a loop around the token may go round for ever if a number changes.
     bool in_free_loop(int token) const { return free_[static_cast<std::size_t>(token)]; }
     // The names that mean a variable, and where it is declared (-1: a parameter, or not known).
@@ -120,6 +122,13 @@ inline Edit insertion(const Span& at, std::uint32_t offset, std::string text) {
 bool closed(const glsl::Node& node);
 // A number as GLSL writes it for the type: 32, 32u, 32.
 std::string literal(double value, const glsl::Type& type);
+
+// Whether the author's main can be called by another one: its text can be edited.
+bool has_own_main(const Shader& shader);
+// What the colour is written to: a variable with four components; empty: that is not certain.
+std::string colour_output(const Shader& fragment);
+// Adds the edits that give the shader another main, which calls the author's, and then executes the statement.
+void add_behind_main(const Shader& shader, const std::string& statement, std::vector<Edit>& edits);
 
 // Means of textures from files, decoded once.
 class Means {
