@@ -145,16 +145,36 @@ TEST_F(Grade, EmptinessIsJudgedByWhatIsDrawn) {
     EXPECT_EQ(points_of(items, within("2.6"), text), Points(9, 4)) << last;
     EXPECT_EQ(points_of(items, within(".6"), text), Points(9, 0)) << last;
     EXPECT_NE(last.find("hardly anything is seen in any of its pictures"), std::string::npos) << last;
+    // A single colour over everything shows nothing, whichever it is, and one pixel more changes nothing. What is
+    // correct and small is something where the reference fills much of its picture.
+    const auto painted = [](const std::string& color) {
+        return "uniform float uKd, uRed, uSide, uCut;\nvoid main() { gl_FragColor = vec4(vec3(" + color +
+               ") + uKd * .001, 1.);\n if (any(greaterThan(abs(gl_FragCoord.xy - vec2(32.5, 24.5)), vec2(.6)))) "
+               "return;\n"
+               " gl_FragColor = vec4(1., uKd, uCut, 1.);\n}";
+    };
+    const std::string over = with(text, "Sphere 1", "Sphere 50");
+    for (const std::string color : {"0.", ".3", "1."})
+        EXPECT_EQ(points_of({items[4], items[5], "set = { uKd = 0 }\nexpect = \"different\"\nby = 0\n"}, painted(color),
+                            over),
+                  Points(3, 0))
+            << color << last;
+    scene("reference", cut, with(text, "LookAt 0 0 3", "LookAt 0 0 1.2"));
+    EXPECT_EQ(points_of({"set = { uKd = 0 }\nexpect = \"darker\"\n"}, cut, with(text, "Sphere 1", "Sphere .2")),
+              Points{4})
+        << last;
+    scene("reference", black, text);
     // One empty picture costs what is judged by it, and no more: the reference shows something there.
     const std::string dark = with(black, "uCut > .5", "uKd < .5 || uCut > .5");
     EXPECT_EQ(points_of(items, dark, text), (Points{4, 4, 4, 4, 4, 0, 4, 4, 4})) << last;
     EXPECT_NE(last.find("nothing is seen in the picture 'uKd=0'"), std::string::npos) << last;
-    // A scene that fills its picture in the background's colour is there.
-    const std::string filled = with(with(text, "Sphere 1", "QuadXY 0 9"), "Background 0", "Background 1");
-    EXPECT_EQ(points_of({items[0], "set = { uCut = 1 }\nexpect = \"different\"\n"},
-                        "uniform float uCut;\nvoid main() { gl_FragColor = vec4(1., uCut, 0., 1.); }", filled),
-              (Points{4, 4}))
-        << last;
+    // A scene that fills its picture in the background's colour is there, if the reference's fills it, too.
+    const std::string filled = with(with(text, "Sphere 1", "QuadXY 0 9"), "Background 0", "Background 1"),
+                      plain = "uniform float uCut;\nvoid main() { gl_FragColor = vec4(1., uCut, 0., 1.); }";
+    const Items wall{items[0], "set = { uCut = 1 }\nexpect = \"different\"\n"};
+    EXPECT_EQ(points_of(wall, plain, filled), (Points{4, 0})) << last;
+    scene("reference", plain, filled);
+    EXPECT_EQ(points_of(wall, plain, filled), (Points{4, 4})) << last;
 }
 
 TEST_F(Grade, TheCauseIsToldFirst) {
@@ -369,6 +389,18 @@ TEST_F(Grade, WhatDidNotChangeIsKept) {
     scene("reference", paint + "\n");
     EXPECT_TRUE(grade("r.toml s -o out").says("0 of them judged before"));
     EXPECT_TRUE(grade("r.toml s -o out --again").says("0 of them judged before"));
+    // Pictures that somebody deleted are drawn again.
+    folder.write("r.toml", head + "[[item]]\nexpect = \"reference\"\n");
+    EXPECT_TRUE(grade("r.toml s -o out").says("4 submissions, 0 of them judged before"));
+    for (const std::string file : {"picture-0.png", "reference-0.png", "map-0.png"}) {
+        const std::string picture = at("out/" + result("ann")["folder"].get<std::string>() + "/" + file);
+        EXPECT_TRUE(fs::remove(picture)) << picture;
+        EXPECT_TRUE(grade("r.toml s -o out").says("4 submissions, 3 of them judged before")) << file;
+        EXPECT_TRUE(fs::exists(picture)) << picture;
+    }
+    EXPECT_TRUE(fs::remove(at("out/reference/picture-0.png")));
+    grade("r.toml s -o out");
+    EXPECT_TRUE(fs::exists(at("out/reference/picture-0.png")));
 }
 
 TEST_F(Grade, AProgramThatWasBuiltAgainKeepsNothing) {
@@ -461,6 +493,19 @@ TEST_F(Grade, ReportsAreNotWrittenOverOtherFiles) {
     folder.write("mine/letter.txt", "x");
     EXPECT_EQ(grade("r.toml s -o mine").status, 2);
     EXPECT_EQ(std::distance(fs::directory_iterator(at("mine")), fs::directory_iterator{}), 1);
+}
+
+// The folder that is meant exists, although its name leads through one that does not.
+TEST_F(Grade, NoReportIsWrittenIntoASubmission) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("s/ann");
+    const Outcome made = grade("r.toml s -o s/nothere/../ann");
+    EXPECT_EQ(made.status, 2) << made.output;
+    EXPECT_TRUE(made.says("holds other files than a report")) << made.output;
+    EXPECT_FALSE(fs::exists(at("s/ann/index.html")));
+    EXPECT_EQ(grade("r.toml s -o nothere/../out").status, 0);
+    EXPECT_TRUE(fs::exists(at("out/index.html")));
+    EXPECT_FALSE(fs::exists(at("nothere")));
 }
 
 TEST_F(Grade, AFolderOfStudentsIsNoReport) {

@@ -177,8 +177,35 @@ TEST_F(HostileSubmission, AShaderThatTakesForeverIsStopped) {
     ASSERT_EQ(made.status, 0) << made.output;
     EXPECT_NE(result("slow")["problem"].get<std::string>().find("takes longer than 2 seconds"), std::string::npos);
     EXPECT_NE(result("slow")["problem"].get<std::string>().find(": its picture takes"), std::string::npos);
-    EXPECT_EQ(result("slow")["items"][0]["points"], 1) << "what needs no picture is judged";
+    EXPECT_EQ(result("slow")["points"], 0) << "its shaders count as unread";
+    EXPECT_NE(page("slow").find("its shaders count as unread"), std::string::npos);
     EXPECT_NE(page("slow").find("takes longer than 2 seconds"), std::string::npos);
+}
+
+// By what its text says: without a GPU, Mesa ends the loop, and shows what it had by then.
+TEST_F(HostileSubmission, AShaderThatNeverEndsEarnsNothing) {
+    scene("s/eve",
+          "uniform float uKd, uRed, uSide;\nvoid main() {\n  float x = uKd;\n"
+          "  for (int i = 0; i < 9; --i) x += .1 * uRed;\n  gl_FragColor = vec4(x);\n}\n");
+    folder.write("r.toml", bytes_of(at("r.toml")) +
+                               "[[item]]\nno_lints = [\"never-read\"]\n[[item]]\nuniforms = { uKd = \"float\" }\n"
+                               "[[item]]\nexpect = \"reference\"\nmax_rmse = 0.9\n[[item]]\nforbids = [\"Torus\"]\n");
+    ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    EXPECT_EQ(result("ann")["points"], 6) << result("ann").dump(1);
+    EXPECT_EQ(result("eve")["points"], 0) << result("eve").dump(1);
+    EXPECT_NE(page("eve").find("for ever"), std::string::npos) << page("eve");
+}
+
+TEST_F(HostileSubmission, LinksToLargeTreesAreNamedAndNotRead) {
+    for (int i = 0; i < 21; ++i)
+        for (int k = 0; k < 1000; ++k)
+            fs::create_directories(at("tree/" + std::to_string(i) + "/" + std::to_string(k)));
+    fs::create_directory_symlink(at("tree"), at("s/eve"));
+    const auto begun = std::chrono::steady_clock::now();
+    grade_all();
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(), 10 * patience);
+    told_everywhere("it holds more than 20000 files and folders");
+    EXPECT_EQ(result("eve")["points"], 0);
 }
 
 // Each shape and each texture is within its limits, but not all of them together.

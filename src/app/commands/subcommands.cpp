@@ -393,8 +393,18 @@ void warn_of_reference(const Grades& grades) {
                        utf8::printable(grades.rubric.items[i].name), utf8::printable(grades.reference->items[i].why));
 }
 
+// A folder that is not there has no parent yet: `nothere/../ann` is a folder that may hold other files.
+std::string without_dots(const std::string& folder) {
+    namespace fs = std::filesystem;
+    if (folder.find("..") == std::string::npos) return folder;
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(folder, error), error);
+    return error ? folder : fs::path(folder).is_absolute() ? whole.string() : fs::proximate(whole, error).string();
+}
+
 Exit run_grade(const GradeCommand& command) {
-    const GradeOptions& options = command.grade;
+    GradeOptions options = command.grade;
+    if (!command.make_new) options.output = without_dots(options.output);
     if (command.make_new)
         return options.submissions.empty() ? write_new_rubric(options.rubric, options.output)
                                            : complain(exit_usage, "--new takes one scene");

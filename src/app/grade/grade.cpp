@@ -70,11 +70,13 @@ public:
         const std::string common = common_key(grades_.rubric, asked);
         if (!judge_reference(common)) return exit_graphics;
         std::vector<std::size_t> open;
+        FolderHashes folders;
         for (std::size_t i = 0; i < grades_.all.size(); ++i) {
             GradedSubmission& graded = grades_.all[i];
-            const std::string key = key_of(graded.submission, common);
+            const std::string key = key_of(graded.submission, common, folders);
             graded.record = read_record(folder_of(graded.submission), grades_.rubric);
-            graded.kept = !options_.again && graded.record.key == key;
+            graded.kept = !options_.again && !key.empty() && graded.record.key == key &&
+                          has_pictures(folder_of(graded.submission), graded.record);
             graded.record.key = key;
             if (graded.kept) continue;
             if (graded.submission.problem.empty())
@@ -128,6 +130,21 @@ private:
         return !error || complain(fmt::format("cannot make the folder '{}': {}", options_.output, error.message()));
     }
 
+    // Whether the pictures that were made with a record are still there.
+    bool has_pictures(const std::string& folder, const Record& record) const {
+        std::vector<std::string> names = record.drawn;
+        names.insert(names.end(), record.maps.begin(), record.maps.end());
+        for (const RubricItem& item : grades_.rubric.items)
+            for (const RubricItem* part : item.parts())
+                if (part->judges(RubricItem::Kind::picture) && part->expect == Expect::reference &&
+                    !record.maps[part->map].empty() && !record.submission.empty())
+                    names.push_back(fmt::format("reference-{}.png", part->than));
+        return ranges::all_of(names, [&](const std::string& name) {
+            std::error_code error;
+            return name.empty() || fs::is_regular_file(fs::path(folder) / name, error);
+        });
+    }
+
     // What a process has written so far does not count as judged, not even if this process is killed.
     static std::string unfinished(const std::string& key) { return "unfinished " + key; }
 
@@ -179,7 +196,7 @@ private:
         if (grades_.rubric.reference.empty()) return true;
         const std::string folder = reference_folder(output_.string()), key = common + "-reference";
         grades_.reference = read_record(folder, grades_.rubric);
-        if (grades_.reference->key == key && !options_.again) return true;
+        if (grades_.reference->key == key && !options_.again && has_pictures(folder, *grades_.reference)) return true;
         remove_judged(folder);
         const ToJudge work = work_on(key, "", grades_.rubric.reference, folder, "");
         bool graphics = true;
@@ -203,10 +220,22 @@ private:
         record.key = key;
         record.submission = submission;
         if (!problem.empty()) record.problem = problem;
+        if (ended.too_long || ended.status == exit_timeout) count_as_unread(record, problem);
         if (ended.again && ended.signal == 0)
             record.notes.push_back("the program that draws it ended by a signal once; the second time it did not");
         write_record(folder, record);
         return record;
+    }
+
+    // What was judged before pictures were drawn. A shader that does not end earns no more than one with an error.
+    void count_as_unread(Record& record, const std::string& problem) const {
+        const auto& items = grades_.rubric.items;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            for (const RubricItem::Kind kind :
+                 {RubricItem::Kind::no_errors, RubricItem::Kind::no_lints, RubricItem::Kind::uniforms})
+                if (items[i].judges(kind))
+                    record.items[i] = {items[i].deducts ? -items[i].points : 0, false,
+                                       "its shaders count as unread: " + problem};
     }
 
     bool judge_all(const std::vector<std::size_t>& open) {

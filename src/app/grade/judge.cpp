@@ -1,8 +1,11 @@
 #include "src/app/grade/judge.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -147,7 +150,14 @@ private:
 
     bool open() {
         const auto planned = [this](const Plan& plan, Document& document) {
-            document.diagnostics.append(lint::check(plan, document.sources, shader_includes(*document.files)));
+            Diagnostics found = lint::check(plan, document.sources, shader_includes(*document.files));
+            for (Diagnostic diagnostic : found.items()) {
+                if (lint::never_ends(diagnostic)) {
+                    diagnostic.severity = Severity::error;
+                    leave_out(plan, document.sources, diagnostic.span.file);
+                }
+                document.diagnostics.add(std::move(diagnostic));
+            }
             Files reader(document.files->folder(), access_);
             for (const PlannedProgram& program : plan.programs) {
                 for (const auto& [path, text] : shader_texts(program, document.sources, reader))
@@ -176,6 +186,20 @@ private:
         return true;
     }
 
+    // A shader that never ends counts as one with an error: nothing is drawn with it.
+    void leave_out(const Plan& plan, const Sources& sources, FileId file) {
+        const auto reads = [&](Index program) {
+            return ranges::any_of(plan.programs[program].stages, [&](const glsl::StageInput& stage) {
+                return sources.name(stage.file) == sources.name(file);
+            });
+        };
+        bool named = false;  // otherwise a shader includes it
+        for (Index program = 0; program < plan.programs.size(); ++program) named = named || reads(program);
+        endless_.resize(plan.scene.draws.size());
+        for (std::size_t draw = 0; draw < endless_.size(); ++draw)
+            endless_[draw] = endless_[draw] || !named || reads(plan.scene.draws[draw].program);
+    }
+
     // What an error takes out of the scene, so that items are not fulfilled by what is not there.
     void find_first_error() {
         const auto& found = document_->diagnostics.items();
@@ -186,7 +210,9 @@ private:
         const std::string place = place_text(finding);
         first_error_ = (place.empty() ? "" : place + ": ") + finding.message;
         if (!document_->runtime) return;
-        unread_ = ranges::any_of(document_->runtime->active_uniforms(), &std::vector<ActiveUniform>::empty);
+        left_out_ = !endless_.empty();
+        unread_ =
+            left_out_ || ranges::any_of(document_->runtime->active_uniforms(), &std::vector<ActiveUniform>::empty);
         for (const Explanation::Paid& paid : document_->runtime->explain().paid)
             if (paid.kind == Explanation::Kind::pass)
                 left_out_ = left_out_ || ranges::count(document_->scene().passes[paid.pass].items, Item::Kind::draw,
@@ -198,6 +224,7 @@ private:
         wrong_.resize(rubric_.pictures.size());
         covered_.resize(rubric_.pictures.size());
         infinite_.resize(rubric_.pictures.size());
+        has_area_.resize(rubric_.pictures.size());
         Runtime& runtime = *document_->runtime;
         const gl::Target target =
             gl::make_target(rubric_.width, rubric_.height, rubric_.samples, runtime.display_pixels());
@@ -224,7 +251,7 @@ private:
         View view;
         parse_view(shown.view, view);
         deadline_.begin(shown_as(shown));
-        Frame frame{shown.time, view, controls};
+        Frame frame{.time = shown.time, .view = view, .controls = controls, .hidden = &endless_};
         const content::Image image = image_of(frame, target);
         if (index == 0) counters_ = document_->runtime->counters();
         pictures_[index] = accuracy::displayed_picture(image, false);
@@ -277,7 +304,49 @@ private:
             for (std::size_t i = 0; i < covered.size(); ++i) covered[i] |= stays[i];
             for (const std::size_t i : undefined) covered[i] = 0;
         }
-        record_.covered[index] = static_cast<double>(accuracy::count(covered)) / static_cast<double>(covered.size());
+        const auto share = [&](const accuracy::Region& region) {
+            return static_cast<double>(accuracy::count(region)) / static_cast<double>(region.size());
+        };
+        record_.covered[index] = share(covered);
+        accuracy::Region shape = shape_of(*pictures_[index], covered);
+        for (const std::size_t i : undefined) shape[i] = 0;
+        record_.shaped[index] = share(shape);
+        has_area_[index] = has_area(shape);
+    }
+
+    // What stands out of a picture: the pixels that have another colour than most, or are covered where most are not.
+    // A picture that has one colour shows nothing, whichever it is.
+    accuracy::Region shape_of(const Picture& picture, const accuracy::Region& covered) const {
+        using Look = std::array<int, 5>;
+        const auto look = [&](std::size_t i) {
+            Look one{covered[i] ? 1 : 0};
+            for (std::size_t c = 0; c < 4; ++c)
+                one[c + 1] = static_cast<int>(std::lround(255 * std::clamp(picture.rgba[4 * i + c], 0.F, 1.F)));
+            return one;
+        };
+        std::map<Look, std::size_t> counts;
+        for (std::size_t i = 0; i < covered.size(); ++i) ++counts[look(i)];
+        const Look most = ranges::max_element(counts, {}, [](const auto& entry) { return entry.second; })->first;
+        accuracy::Region shape(covered.size(), 0);
+        for (std::size_t i = 0; i < covered.size(); ++i) {
+            const Look one = look(i);
+            bool other = one[0] != most[0];
+            for (std::size_t c = 1; c < 5; ++c) other = other || std::abs(one[c] - most[c]) > 1;
+            shape[i] = other ? 1 : 0;
+        }
+        return shape;
+    }
+
+    // Whether a pixel and all that are around it are in the region: points and lines have none.
+    bool has_area(const accuracy::Region& region) const {
+        const auto width = static_cast<std::size_t>(rubric_.width), height = static_cast<std::size_t>(rubric_.height);
+        for (std::size_t y = 1; y + 1 < height; ++y)
+            for (std::size_t x = 1; x + 1 < width; ++x) {
+                bool all = true;
+                for (std::size_t k = 0; k < 9; ++k) all = all && region[(y + k / 3 - 1) * width + x + k % 3 - 1];
+                if (all) return true;
+            }
+        return false;
     }
 
     void write(const std::string& name, const std::string& bytes) {
@@ -302,7 +371,7 @@ private:
         int frames = 0;
         while (frames < most_frames && accuracy::wall_milliseconds() - wall < enough) {
             deadline_.begin("a frame whose time is measured");
-            image_of({0, view, document_->controls}, target);
+            image_of({.view = view, .controls = document_->controls, .hidden = &endless_}, target);
             ++frames;
         }
         record_.milliseconds = (now() - begin) / frames;
@@ -324,11 +393,13 @@ private:
     std::string barred(const RubricItem& item) const {
         if (drawn_ && !item.deducts && all_empty()) return nothing(seen_ > 0) + " is seen in any of its pictures";
         if (item.kind == Kind::no_lints && unread_) return "not all shaders can be read";
+        if (item.kind == Kind::uniforms && !endless_.empty()) return "not all shaders can be read";
         if (!needs_pictures(item)) return {};
         const bool relation = item.kind == Kind::picture, against = relation && item.expect == Expect::reference;
         for (const std::size_t index : {item.picture, against ? item.picture : item.than}) {
             if (!wrong_[index].empty() && (relation || !drawn_)) return wrong_[index];
-            if (is_empty(index, against ? item.than : index))
+            const std::size_t of_reference = against ? item.than : index;
+            if (is_empty(index, of_reference) || (relation && is_plain(index, of_reference)))
                 return nothing(record_.covered[index] > 0) + " is seen in " + shown_as(rubric_.pictures[index]);
         }
         const bool same = relation && (item.expect == Expect::same || item.expect == Expect::mirrored);
@@ -339,11 +410,19 @@ private:
 
     static std::string nothing(bool hardly) { return hardly ? "hardly anything" : "nothing"; }
 
-    // Far less than in the reference's picture is as good as nothing, such as a single pixel.
+    // Points and lines are as good as nothing if they are far less than what the reference's picture covers. A small
+    // thing with an area is something.
     bool is_empty(std::size_t picture, std::size_t of_reference) const {
         if (work_.path == rubric_.reference) return false;
         const double own = record_.covered[picture];
-        return reference_.covered.empty() ? own == 0 : own < reference_.covered[of_reference] / 50;
+        if (reference_.covered.empty()) return own == 0;
+        return own < reference_.covered[of_reference] / 50 && (own == 0 || !has_area_[picture]);
+    }
+
+    // The same of what stands out, where the whole picture may be covered: a single colour is as good as nothing.
+    bool is_plain(std::size_t picture, std::size_t of_reference) const {
+        return work_.path != rubric_.reference && !reference_.shaped.empty() && !has_area_[picture] &&
+               record_.shaped[picture] < reference_.shaped[of_reference] / 50;
     }
 
     bool all_empty() const {
@@ -476,6 +555,7 @@ private:
     std::vector<std::string> wrong_;  // why there is no such picture
     std::vector<accuracy::Region> covered_;
     std::vector<std::optional<std::size_t>> infinite_;  // pixels; nullopt: not known
+    std::vector<bool> has_area_;                        // by picture: what stands out of it
     Picture background_, other_;
     Vec4 other_background_{0, 0, 0, 1};
     std::size_t seen_ = 0;  // pixels, in all pictures
@@ -485,6 +565,7 @@ private:
     UsedCommands commands_;
     std::string first_error_;                 // with its place; "": there is none
     bool unread_ = false, left_out_ = false;  // by an error: a shader, a draw of what the window shows
+    std::vector<bool> endless_;               // by Scene::draws: those of shaders that never end; empty: there are none
 };
 
 }  // namespace

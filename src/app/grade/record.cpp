@@ -44,6 +44,7 @@ Json record_json(const Record& record) {
               {"items", Json::array()},
               {"drawn", record.drawn},
               {"covered", record.covered},
+              {"shaped", record.shaped},
               {"maps", record.maps},
               {"prints", prints_json(record.prints)},
               {"texts", Json::array()}};
@@ -66,6 +67,7 @@ Record from_json(const Json& json) {
     record.milliseconds = json.at("milliseconds");
     record.drawn = json.at("drawn").get<std::vector<std::string>>();
     record.covered = json.at("covered").get<std::vector<double>>();
+    record.shaped = json.at("shaped").get<std::vector<double>>();
     record.maps = json.at("maps").get<std::vector<std::string>>();
     for (const Json& item : json.at("items"))
         record.items.push_back({item.at("points"), item.at("passed"), item.at("why")});
@@ -88,6 +90,7 @@ Record unjudged(const Rubric& rubric, const std::string& why) {
     record.items.assign(rubric.items.size(), {0, false, "not judged: " + why});
     record.drawn.resize(rubric.pictures.size());
     record.covered.resize(rubric.pictures.size());
+    record.shaped.resize(rubric.pictures.size());
     record.maps.resize(rubric.maps);
     return record;
 }
@@ -104,7 +107,8 @@ Record read_record(const std::string& folder, const Rubric& rubric) {
     try {
         Record record = from_json(content::parse_json(content::whole_file(record_file(folder))));
         const bool fits = record.items.size() == rubric.items.size() && record.drawn.size() == rubric.pictures.size() &&
-                          record.covered.size() == record.drawn.size() && record.maps.size() == rubric.maps;
+                          record.covered.size() == record.drawn.size() && record.shaped.size() == record.drawn.size() &&
+                          record.maps.size() == rubric.maps;
         for (const Print& print : record.prints)
             if (print.text >= record.texts.size()) return {};
         return fits ? record : Record{};

@@ -36,7 +36,8 @@ struct Record {
     std::vector<Judged> items;       // in the order of the rubric's
     std::vector<std::string> drawn;  // by picture of the rubric: its file next to the record; "" if it was not drawn
     std::vector<double> covered;     // likewise, the share of its pixels on which something is drawn, without NaN
-    std::vector<std::string> maps;   // by RubricItem::map: the file of the differences from the reference; ""
+    std::vector<double> shaped;     // likewise, the share of those that stand out: of which there are fewer than others
+    std::vector<std::string> maps;  // by RubricItem::map: the file of the differences from the reference; ""
     std::vector<Print> prints;
     std::vector<SourceText> texts;
 

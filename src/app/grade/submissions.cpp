@@ -134,7 +134,10 @@ std::string problem_of(const fs::path& path, const std::map<std::string, std::st
             return fmt::format("it is a link to '{}', which is judged as '{}'", target, same->second);
         if (!fs::exists(path, error)) return fmt::format("it is a link to '{}', which is not there", target);
     }
-    if (fs::is_directory(path, error)) return {};
+    if (fs::is_directory(path, error)) {
+        const std::string why = unusable(path.string());
+        return why.empty() ? "" : "it " + why;
+    }
     if (!fs::is_regular_file(path, error) || !(is_scene(path) || is_archive(path.string())))
         return "it is neither a folder, nor an archive, nor a scene (.glib)";
     return fs::file_size(path, error) == 0 && !error ? "it is an empty file" : "";
@@ -268,13 +271,21 @@ std::optional<Submissions> find_submissions(const std::vector<std::string>& argu
     return found;
 }
 
-std::string key_of(const Submission& submission, const std::string& rest) {
+std::string key_of(const Submission& submission, const std::string& rest, FolderHashes& known) {
     std::string all = rest + submission.problem;
     const fs::path path = submission.path;
     if (!submission.problem.empty()) return content::sha256(all);
+    const bool loose = is_scene(path) && fs::is_regular_file(path);
     if (is_scene(path)) all += path.filename().string() + '\0';
-    add_files(is_scene(path) && fs::is_regular_file(path) ? path.parent_path() : path, all);
-    return content::sha256(all);
+    const fs::path read = loose ? path.parent_path() : path;
+    const auto [hash, fresh] = known.try_emplace(read.string());
+    if (fresh) {
+        std::string files;
+        const bool whole = !loose || unusable(read.string()).empty();
+        if (whole) add_files(read, files);
+        hash->second = whole ? content::sha256(files) : "";
+    }
+    return hash->second.empty() ? "" : content::sha256(all + hash->second);
 }
 
 std::string common_key(const Rubric& rubric, const std::string& limits) {

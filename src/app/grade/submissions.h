@@ -1,6 +1,7 @@
 // What is graded: folders, archives and scenes, with names that tell them apart.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +30,11 @@ struct Submissions {
 std::optional<Submissions> find_submissions(const std::vector<std::string>& arguments, const std::string& output,
                                             const Rubric& rubric);
 
-// A hash of everything that the result depends on: all files of the submission, and `rest`.
-std::string key_of(const Submission& submission, const std::string& rest);
+// Hashes of all files in folders, by their paths: several scenes may be in one.
+using FolderHashes = std::map<std::string, std::string>;
+// A hash of everything that the result depends on: all files of the submission, and `rest`. "": it is a scene in a
+// folder that holds too much to be read as a whole.
+std::string key_of(const Submission& submission, const std::string& rest, FolderHashes& known);
 // A hash of the rubric, the files that the reference reads, what else limits judging, and this build of snell.
 std::string common_key(const Rubric& rubric, const std::string& limits);
 

@@ -29,7 +29,8 @@ bool parse_sides(std::string_view text, int& width, int& height) {
     return wrong_height == std::errc() && last == end && usual(width) && usual(height);
 }
 
-// Why a file or folder that a rubric names cannot be read as a whole: it "is not there", or it is too large; or "".
+}  // namespace
+
 std::string unusable(const std::string& path) {
     constexpr std::size_t most_entries = 20'000;
     constexpr std::uint64_t most_bytes = std::uint64_t{2} << 30;
@@ -54,6 +55,8 @@ std::string unusable(const std::string& path) {
     if (entries > most_entries) return fmt::format("holds more than {} files and folders", most_entries);
     return bytes > most_bytes ? "holds more than 2 GB" : "";
 }
+
+namespace {
 
 // The keys above the items, and the items.
 class Reader {

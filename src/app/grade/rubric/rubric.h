@@ -81,6 +81,10 @@ struct Rubric {
 // Reports mistakes at their places. Paths in the rubric are relative to its folder.
 std::optional<Rubric> read_rubric(const std::string& path, Sources& sources, Diagnostics& diagnostics);
 
+// Why a file or folder cannot be read as a whole: it "is not there", or it holds more than 20,000 entries or 2 GB; or
+// "".
+std::string unusable(const std::string& path);
+
 // The words of a relation in rubrics, in the order of Expect.
 const std::vector<std::string_view>& expect_names();
 
