@@ -79,7 +79,7 @@ Saved saved_values(const Document& document) {
     }
     for (const SavedFile& file : saved.files)
         if (content::whole_file(file.path) != file.before)
-            saved.error = file.path + " is not what was read: reload first";
+            saved.error = file.path + " has changed since it was read: reload it, or correct its errors, first";
     if (saved.error.empty() && !reads_back(back, read_again(document, saved.files)))
         saved.error = "the new text would not say these values: nothing is written";
     if (!saved.error.empty()) saved.files.clear();

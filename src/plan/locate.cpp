@@ -1,6 +1,8 @@
 #include "src/plan/locate.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 #include <fmt/format.h>
@@ -97,6 +99,25 @@ std::vector<TextureFile> locate_faces(const FileName& file, const Files& files, 
     return best;
 }
 
+// Whether the names are of different faces of one cube map, by a convention that has words for them.
+bool other_face(std::string_view a, std::string_view b) {
+    const std::string_view extension = a.substr(std::min(a.rfind('.'), a.size()));
+    const auto folder_and_stem = [](std::string_view name, std::string_view face) -> std::optional<std::string_view> {
+        const std::size_t rest = name.size() - std::min(name.size(), face.size());
+        return same_word(name.substr(rest), face) ? std::optional(name.substr(0, rest)) : std::nullopt;
+    };
+    for (const auto& faces : content::face_names(extension)) {
+        const char last = faces[1][faces[1].size() - extension.size() - 1];
+        if (last >= '0' && last <= '9') continue;  // numbers are of other pictures, too
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            for (std::size_t k = 0; k < faces.size(); ++k) {
+                const auto first = folder_and_stem(a, faces[i]), second = folder_and_stem(b, faces[k]);
+                if (i != k && first && second && same_word(*first, *second)) return true;
+            }
+    }
+    return false;
+}
+
 // Texels a side of the noise that a file of this name would hold; 0 for other names.
 int noise_size(const Texture& texture, std::string_view name, const Files& files) {
     const bool deep = texture.target == TextureTarget::d3;
@@ -186,7 +207,7 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
             }
         // posx.bmp is not a slip for posy.bmp, which is one of the other five.
         const bool other = ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
-        if (other) resolved.nearest.clear();
+        if (other || other_face(file.name, resolved.nearest)) resolved.nearest.clear();
         if (resolved.path.empty() && !resolved.outside) {
             missing.push_back({file.name, file.span, resolved.nearest});
             result.push_back({file.name, {}, file.span});

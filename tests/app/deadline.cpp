@@ -1,11 +1,13 @@
 // The clock that watches what may not return.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <chrono>
 #include <string>
 #include <thread>
 
+#include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 
 namespace snell::app {
@@ -54,6 +56,22 @@ TEST(Deadline, NoneIsNoThread) {
     deadline.begin("anything");
     std::this_thread::sleep_for(50ms);
     EXPECT_EQ(calls, 0);
+}
+
+// What waits for a thread that got no stack has no memory: time is not the cause.
+TEST(Deadline, WithoutAddressSpaceItIsTheMemory) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto wait = [](bool without) {
+        Deadline deadline(.3);
+        if (without) {
+            const rlimit least{1 << 20, 1 << 20};  // less than the process has
+            setrlimit(RLIMIT_AS, &least);
+        }
+        deadline.begin("a frame");
+        while (true) std::this_thread::sleep_for(1s);
+    };
+    EXPECT_EXIT(wait(true), testing::ExitedWithCode(exit_input), "out of memory");
+    EXPECT_EXIT(wait(false), testing::ExitedWithCode(exit_timeout), "a frame takes longer than 0.3 seconds");
 }
 
 }  // namespace

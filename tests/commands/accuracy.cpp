@@ -227,6 +227,16 @@ TEST_F(Accuracy, ValuesThatAreNoneAreErrors) {
     }
 }
 
+TEST_F(Accuracy, AShaderThatDoesNotCompileEndsItAtOnce) {
+    folder.write("lit.frag", "void main() { gl_FragColor = vec4(oops); }");
+    const auto begun = std::chrono::steady_clock::now();
+    EXPECT_EQ(run("--size 64x64 --csv " + folder.path("none.csv")), 1);
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(), 10 * patience);
+    EXPECT_NE(text("err.txt").find("lit.frag:1:35: error: "), std::string::npos) << text("err.txt");
+    EXPECT_EQ(text("out.txt"), "") << "nothing is measured";
+    EXPECT_FALSE(std::filesystem::exists(folder.path("none.csv")));
+}
+
 TEST_F(Accuracy, FoundRungsArePlottedToo) {
     folder.write("lit.frag",
                  "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = 0.;\n for (int i = 0; i < 200; "

@@ -52,6 +52,19 @@ TEST(Controls, RangeOnEveryNumberType) {
     }
 }
 
+// A range is limited where the type ends, and no earlier.
+TEST(Controls, RangesReachAsFarAsTheirTypes) {
+    const auto limited = [](const char* type, double low, double high) {
+        const Case made = make(value_of("u", Kind::range, {low, 5, high}), active(type));
+        EXPECT_EQ(made.diagnostics.empty(), made.control().min == low && made.control().max == high) << type;
+        return std::pair(made.control().min, made.control().max);
+    };
+    EXPECT_EQ(limited("uint", 0, 4e9), std::pair(0., 4e9));
+    EXPECT_EQ(limited("uint", -1, 5e9), std::pair(0., 4294967295.));
+    EXPECT_EQ(limited("int", -2e9, 2e9), std::pair(-2e9, 2e9));
+    EXPECT_EQ(limited("int", -3e9, 3e9), std::pair(-2147483648., 2147483647.));
+}
+
 TEST(Controls, AResetRestoresTheScenesRangeToo) {
     Controls controls = make(value_of("u", Kind::range, {1, 3, 7}), active("vec2")).controls;
     Control& control = controls.items[0];
@@ -263,7 +276,7 @@ TEST(Controls, NumbersOfARangeInAnotherOrder) {
         << "not <1. 9. 5.>, which is no range either";
 }
 
-// What a user interface can take without overflow: half of the type's range, in its own arithmetic.
+// What a user interface can take without overflow: sliders compute in doubles, and draw in floats.
 TEST(Controls, SlidersHaveWidthsThatDoNotOverflow) {
     const double inf = std::numeric_limits<double>::infinity();
     for (const Values& range : {Values{-3e38, 0, 3e38},
@@ -280,7 +293,7 @@ TEST(Controls, SlidersHaveWidthsThatDoNotOverflow) {
             EXPECT_LE(control.min, control.max);
             EXPECT_TRUE(std::isfinite(static_cast<float>(control.max) - static_cast<float>(control.min))) << type;
             if (control.type == ValueType::int_ || control.type == ValueType::uint_) {
-                EXPECT_LE(control.max - control.min, 2147483647.);
+                EXPECT_LE(control.max - control.min, 4294967295.);
                 EXPECT_EQ(control.min, std::round(control.min));
             }
             for (const double value : control.value) EXPECT_TRUE(std::isfinite(value));

@@ -246,6 +246,24 @@ TEST_F(Planning, TheOtherFacesAreNotSuggested) {
     EXPECT_EQ(diagnostics.items()[0].help, "");
 }
 
+TEST_F(Planning, AFaceAloneIsNoSlipForAnother) {
+    for (const char* end : {"posx", "negx", "posz", "sky-front"}) folder.write(std::string(end) + ".png", "x");
+    for (const char* asked : {"posy.png", "negz.png", "sky-back.png"}) {
+        SCOPED_TRACE(asked);
+        diagnostics = {};
+        scene = {};
+        texture(6, TextureTarget::d2, {asked});
+        plan();
+        ASSERT_EQ(codes_of(diagnostics), Codes{"file-not-found"});
+        EXPECT_EQ(diagnostics.items()[0].help, "");
+    }
+    diagnostics = {};
+    scene = {};
+    texture(6, TextureTarget::d2, {"possx.png"});
+    plan();
+    EXPECT_EQ(diagnostics.items().at(0).help, "did you mean 'posx.png'?");
+}
+
 TEST_F(Planning, MissingFacesAreOneError) {
     const std::vector<std::string> six{"px.bmp", "nx.bmp", "py.bmp", "ny.bmp", "pz.bmp", "nz.bmp"};
     folder.write("px.bmp", "x");

@@ -181,6 +181,24 @@ std::string expression_words(std::string_view text) {
     return call ? name : short_text(text);
 }
 
+// "polynomials for 4 sin and cos" where several calls change together.
+std::string polynomial_words(const Change& change) {
+    constexpr std::string_view prefix = "found";  // of the functions that it adds, ahead of those that they replace
+    std::size_t calls = 0;
+    std::vector<std::string> functions;
+    for (const Edit& edit : change.edits) {
+        if (edit.span.begin == edit.span.end || !edit.text.starts_with(prefix)) continue;
+        std::string function = lowered(edit.text.substr(prefix.size(), edit.text.find('_') - prefix.size()));
+        ++calls;
+        if (ranges::find(functions, function) == functions.end()) functions.push_back(std::move(function));
+    }
+    if (calls < 2) return "polynomial for " + expression_words(change.before);
+    std::string names;
+    for (std::size_t i = 0; i < functions.size(); ++i)
+        names += (i == 0 ? "" : i + 1 < functions.size() ? ", " : " and ") + functions[i];
+    return fmt::format("polynomials for {} {}", calls, functions.size() > 3 ? "calls" : names);
+}
+
 }  // namespace
 
 std::string words(const Change& change) {
@@ -216,7 +234,7 @@ std::string words(const Change& change) {
         case ChangeKind::expression_mean:
             return expression_words(before) + " as its mean";
         case ChangeKind::polynomial:
-            return "polynomial for " + expression_words(before);
+            return polynomial_words(change);
         case ChangeKind::per_vertex:
             return expression_words(before) + " per vertex";
         case ChangeKind::per_frame:

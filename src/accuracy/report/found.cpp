@@ -105,6 +105,16 @@ std::string size_of_times(const FoundResult& found, std::array<int, 2> size) {
                        size[0] < found.width ? ", because larger ones take too long for the budget" : "");
 }
 
+// The place and the edit, if that is two lines of the terminal's table; otherwise what the rung does, and the place.
+std::string brief_change(const FoundResult& found, const FoundRung& rung) {
+    constexpr std::size_t two_lines = 48;
+    const std::string place = near_place(place_of(found, rung));
+    std::string edit = fmt::format("{}: {}", place, change_of(found, rung));
+    const ChangeKind kind = found.changes[rung.changes.front()].kind;
+    if (edit.size() <= two_lines && kind != ChangeKind::polynomial) return edit;
+    return excerpt(found.words(rung), two_lines - std::min(place.size() + 2, two_lines / 2)) + ", " + place;
+}
+
 struct FoundRow {
     const FoundResult* found;
     const FoundRung* rung;
@@ -115,11 +125,7 @@ constexpr content::TableColumn<FoundRow> found_columns[]{
     {"rung", CellKind::words,
      [](const FoundRow& r) { return fmt::format("{} ({})", r.found->words(*r.rung), r.rung->name); }},
     {"change", CellKind::code,
-     [](const FoundRow& r) {
-         return r.rung->changes.size() > 1
-                    ? std::string()
-                    : fmt::format("{}: {}", near_place(place_of(*r.found, *r.rung)), change_of(*r.found, *r.rung));
-     }},
+     [](const FoundRow& r) { return r.rung->changes.size() > 1 ? std::string() : brief_change(*r.found, *r.rung); }},
     {"time", CellKind::number,
      [](const FoundRow& r) { return r.rung->aim == Aim::unused ? std::string() : shown_ratio(*r.found, *r.rung); }},
     {"FLIP as it opens", CellKind::number, [](const FoundRow& r) { return shown_flip_here(*r.rung); }},

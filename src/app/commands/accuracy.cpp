@@ -280,8 +280,13 @@ Exit accuracy(const AccuracyOptions& options) {
     for (const auto& subject : subjects) {
         deadline.begin(fmt::format("compiling '{}'", subject->path));
         Bench bench(subject->plan, *subject->files, subject->sources, caps, settings);
+        bench.runtime();  // compiles
         if (!values_fit(bench, options, subject->sources)) {
             errors = true;
+            continue;
+        }
+        if (bench.problems().has_errors()) {  // it would be another scene that is measured
+            errors = note_problems(bench, *subject, report);
             continue;
         }
         References references = run.references();
@@ -294,6 +299,7 @@ Exit accuracy(const AccuracyOptions& options) {
         errors = note_problems(bench, *subject, report) || errors;
     }
     deadline.rest();
+    if (errors && report.sweeps.empty() && report.found.empty()) return exit_input;
     report.where.load_after = system_load();
     errors = note_nothing_drawn(report) || errors;
     fmt::print("\n{}", header_text(report));

@@ -72,6 +72,11 @@ void Deadline::watch() {
             late_(what_);
             end_ = Clock::time_point::max();
         } else {
+            // Without memory, drivers may wait for a thread that has got no stack.
+            if (short_of_memory()) {
+                if (last_) last_();
+                out_of_memory();
+            }
             const std::string text = fmt::format(
                 "snell: error: {} takes longer than {} seconds [timeout]\n   help: a loop in a shader may not end; "
                 "--timeout SECONDS allows more\n",

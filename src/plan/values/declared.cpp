@@ -94,11 +94,10 @@ double fit_to_type(double value, ValueType type) {
 }
 
 Range limit_range(Range range, ValueType type) {
-    constexpr double whole_limit = 1'073'741'823;  // half of int's range
     constexpr double real_limit = 1e38;
     const bool whole = type == ValueType::int_ || type == ValueType::uint_ || type == ValueType::sampler;
-    const double high = whole ? whole_limit : real_limit;
-    const double low = type == ValueType::uint_ || type == ValueType::sampler ? 0 : -high;
+    const double high = whole ? fit_to_type(real_limit, type) : real_limit;
+    const double low = whole ? fit_to_type(-real_limit, type) : -real_limit;
     if (whole) {
         range.min = std::round(range.min);
         range.max = std::round(range.max);
