@@ -105,14 +105,14 @@ std::string size_of_times(const FoundResult& found, std::array<int, 2> size) {
                        size[0] < found.width ? ", because larger ones take too long for the budget" : "");
 }
 
-// The place and the edit, if that is two lines of the terminal's table; otherwise what the rung does, and the place.
+// The place and the edit, if that is two lines of the terminal's table; otherwise the place, and what the rung does.
 std::string brief_change(const FoundResult& found, const FoundRung& rung) {
     constexpr std::size_t two_lines = 48;
     const std::string place = near_place(place_of(found, rung));
     std::string edit = fmt::format("{}: {}", place, change_of(found, rung));
     const ChangeKind kind = found.changes[rung.changes.front()].kind;
     if (edit.size() <= two_lines && kind != ChangeKind::polynomial) return edit;
-    return excerpt(found.words(rung), two_lines - std::min(place.size() + 2, two_lines / 2)) + ", " + place;
+    return place + ": " + excerpt(found.words(rung), two_lines - std::min(place.size() + 2, two_lines / 2));
 }
 
 struct FoundRow {
