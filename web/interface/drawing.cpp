@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "src/app/picture/picture.h"
+#include "src/app/picture/tiles.h"
 #include "src/gl/debug.h"
 
 namespace snell::web {

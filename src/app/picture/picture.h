@@ -1,4 +1,4 @@
-// Pictures of a scene at any size, in tiles if need be, as bytes.
+// Pictures of a scene at any size, as bytes.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "parser/text/limits.h"
+#include "src/app/picture/tiles.h"
 #include "src/content/image/image.h"
 #include "src/content/image/rows.h"
 #include "src/gl/caps.h"
@@ -55,29 +56,6 @@ struct ScenePicture {
 // hold, is in `replaced`.
 content::ImageResult scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps,
                                    std::string& messages);
-
-// Divides a picture of any size into parts that fit into memory.
-
-struct PictureSize {
-    int width = 0, height = 0, samples = 1;
-    bool floats = false;  // of the framebuffer's pixels
-    bool operator==(const PictureSize&) const = default;
-};
-
-// The size of the part that is drawn at once, in pixels.
-struct Tiling {
-    int width = 0, height = 0;
-    std::string error;  // why the picture cannot be drawn, with help if possible
-    bool whole(const PictureSize& size) const { return width >= size.width && height >= size.height; }
-};
-
-// Returns the largest part that memory allows within the limits. With `most` above 0, its sides are at most that many
-// pixels.
-Tiling tile(const PictureSize& size, const Limits& limits, const gl::Caps& caps, int most = 0);
-
-// Lists the parts from top to bottom, each row from left to right. They begin at multiples of the tiling's size,
-// counted from the bottom left.
-std::vector<PixelRect> parts_of(const PictureSize& size, const Tiling& tiling);
 
 // Draws a picture part by part into its file, so that pictures of any size need little memory.
 
