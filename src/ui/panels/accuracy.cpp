@@ -168,7 +168,7 @@ bool ladder_part(const Scene& scene, const AccuracyFacts& facts, Controls& contr
     memory.ladder = std::min(memory.ladder, scene.ladders.size() - 1);
     ImGui::Spacing();
     const bool measure = plot_tools(scene.ladders, facts, memory, layout);
-    accuracy_plot(facts.points, layout);
+    accuracy_plot(facts.points, memory.plot, layout);
     rung_table(scene.ladders[memory.ladder], facts, controls.rungs[memory.ladder], layout);
     if (!facts.remark.empty()) {
         ImGui::PushTextWrapPos(0);

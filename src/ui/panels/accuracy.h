@@ -2,6 +2,7 @@
 // and cost of the other rungs, and the rungs that snell finds by itself.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "parser/scene.h"
+#include "src/content/plot/plot.h"
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/kit.h"
 
@@ -31,6 +33,7 @@ struct AccuracyPoint {
     std::string by;  // the point that dominates this one, or that is more exact
     bool chosen = false;
     bool reference = false;  // the last rung of every ladder
+    bool operator==(const AccuracyPoint&) const = default;
 };
 
 struct AccuracyFacts {
@@ -46,6 +49,16 @@ struct AccuracyFacts {
     std::string remark;              // a note on the measurement; may be empty
 };
 
+// The plot as it was drawn last: it is drawn anew only where it changed, so that a drag allocates nothing.
+struct AccuracyPlot {
+    std::vector<AccuracyPoint> points;
+    std::array<float, 3> at{};  // of its left upper corner, and its width
+    float letters = 0;          // the size of the font
+    std::vector<content::Mark> marks;
+    std::vector<std::size_t> shown;                 // indices of those points that have a place
+    std::vector<std::pair<double, double>> places;  // of these
+};
+
 struct AccuracyMemory {
     enum class Show : std::uint8_t { picture, split, heat };
     bool open = false;
@@ -55,6 +68,7 @@ struct AccuracyMemory {
     std::size_t ladder = 0;  // index of the ladder that is plotted: the one changed last
     Rungs rungs;             // of the last frame
     bool hold_time = true;   // whether an animated scene is paused while the panel is open
+    AccuracyPlot plot;
 };
 
 // The range of errors that the heat map distinguishes, from black to white, as powers of ten.
@@ -73,7 +87,7 @@ std::string error_tip(const AccuracyFacts& facts);
 std::string standing_text(const AccuracyPoint& point);  // such as "worth its time"; empty if the point was not compared
 
 // Draws error over cost, as wide as the panel.
-void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout);
+void accuracy_plot(const std::vector<AccuracyPoint>& points, AccuracyPlot& plot, Layout& layout);
 
 // What is on either side of the divider: the rungs of the ladders whose chosen rung is not the reference's, such as
 // "BEND: single" and "bounces".

@@ -72,34 +72,40 @@ content::PlotPoint plotted(const AccuracyPoint& point) {
             .label = point.rung ? std::optional(0) : std::nullopt};
 }
 
-}  // namespace
-
-void accuracy_plot(const std::vector<AccuracyPoint>& points, Layout& layout) {
-    const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 at = ImGui::GetCursorScreenPos(), size(width, 12 * em);
-    ImGui::InvisibleButton("##plot", size);
-    layout.note("accuracy.plot");
-    std::vector<const AccuracyPoint*> shown;
+void draw(const std::vector<AccuracyPoint>& points, std::array<float, 3> at, float em, AccuracyPlot& drawn) {
+    drawn = {.points = points, .at = at, .letters = em, .marks = {}, .shown = {}, .places = {}};
     content::Plot plot{.points = {}, .errors = "error (1 is white)", .times = "ms/sample", .decades = .5};
-    for (const AccuracyPoint& point : points)
-        if (point.milliseconds > 0 && !std::isnan(point.error)) {  // an error that is unknown has no place
-            shown.push_back(&point);
-            plot.points.push_back(plotted(point));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i].milliseconds > 0 && !std::isnan(points[i].error)) {  // an error that is unknown has no place
+            drawn.shown.push_back(i);
+            plot.points.push_back(plotted(points[i]));
         }
     content::Page page([](const std::string& text, double letters, bool) {
         return static_cast<double>(
             ImGui::GetFont()->CalcTextSizeA(static_cast<float>(letters), FLT_MAX, 0, text.c_str()).x);
     });
-    const auto places = draw_plot(page, plot, {at.x, at.y, at.x + size.x - .2F * em, at.y + size.y}, em);
-    for (const Mark& mark : page.marks) paint(*ImGui::GetWindowDrawList(), mark);
+    drawn.places = draw_plot(page, plot, {at[0], at[1], at[0] + at[2] - .2F * em, at[1] + 12 * em}, em);
+    drawn.marks = std::move(page.marks);
+}
+
+}  // namespace
+
+void accuracy_plot(const std::vector<AccuracyPoint>& points, AccuracyPlot& plot, Layout& layout) {
+    const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("##plot", {width, 12 * em});
+    layout.note("accuracy.plot");
+    const std::array at{corner.x, corner.y, width};
+    if (plot.marks.empty() || plot.at != at || plot.letters != em || plot.points != points) draw(points, at, em, plot);
+    for (const Mark& mark : plot.marks) paint(*ImGui::GetWindowDrawList(), mark);
     if (!ImGui::IsItemHovered()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto distance = [&](const std::pair<double, double>& place) {
         return std::hypot(place.first - mouse.x, place.second - mouse.y);
     };
-    const auto nearest = ranges::min_element(places, {}, distance);
-    if (nearest == places.end() || distance(*nearest) >= em) return;
-    const AccuracyPoint& point = *shown[static_cast<std::size_t>(nearest - places.begin())];
+    const auto nearest = ranges::min_element(plot.places, {}, distance);
+    if (nearest == plot.places.end() || distance(*nearest) >= em) return;
+    const AccuracyPoint& point = points[plot.shown[static_cast<std::size_t>(nearest - plot.places.begin())]];
     tip(Text("{}: {}, error {} of white{}{}", label_of(point), milliseconds_text(point.milliseconds),
              error_text(point.error), point.standing == Standing::visited ? "" : "\n", standing_text(point))
             .view());
