@@ -248,7 +248,6 @@ void Runtime::Impl::ready_passes(Loading& loading) {
             tell(LoadProgress::Stage::draws, "", done++, all);
             ready = ready_draw(pass, item.index, loading);
         }
-        if (savings) find_batches(pass);
     }
     tell(LoadProgress::Stage::draws, "", all, all);
 }

@@ -290,17 +290,8 @@ void Runtime::Impl::finish_pass(Index pass) {
 
 void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
     const Pass& declared = plan.scene.passes[pass];
-    auto batch = passes[pass].batches.begin();
     view.out = out_of_view(pass, frame, view);
     for (size_t i = 0; i < declared.items.size(); ++i) {
-        if (batch != passes[pass].batches.end() && batch->first == i) {
-            runtime::Batch& next = *batch++;
-            if (draw_batch(pass, next, frame, view)) {
-                runtime::told(frame, {pass, declared.items[i].index, next.count});
-                i += next.count - 1;
-                continue;
-            }
-        }
         if (declared.items[i].kind == Item::Kind::clear) {
             clear(view.background, view.region);
             state.forget();
@@ -309,26 +300,27 @@ void Runtime::Impl::draw_items(Index pass, const Frame& frame, PassView& view) {
                 draw_one(*passes[pass].items[i], frame, view);
             else
                 ++counters.draws_culled;
-            runtime::told(frame, {pass, declared.items[i].index, 1});
+            runtime::told(frame, {pass, declared.items[i].index});
         }
     }
 }
 
 void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, PassView& view) {
-    set_up(ready, *ready.program, ready.controls, context(ready.draw, frame, view), frame);
+    set_up(ready, frame, view);
     draw_mesh(ready);
 }
 
-// Sets everything that a draw needs. `program` is the draw's own or its form for instances.
-void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const std::vector<Index>& controls,
-                           DrawContext& context, const Frame& frame) {
+// Sets everything that a draw needs.
+void Runtime::Impl::set_up(const ReadyDraw& ready, const Frame& frame, PassView& view) {
     const Draw& draw = plan.scene.draws[ready.draw];
+    LinkedProgram& program = *ready.program;
+    DrawContext& context = this->context(ready.draw, frame, view);
     if (!savings) state.forget();
     state.program(program.program.get());
-    if (program.blocks) glBindBufferBase(GL_UNIFORM_BUFFER, runtime::own_blocks, program.blocks.get());
+    if (program.blocks) glBindBufferBase(GL_UNIFORM_BUFFER, 0, program.blocks.get());
     context.harmonics = ready.harmonics;
     const int uploads = runtime::set_system(program, context, !savings) +
-                        (draw.program == none ? 0 : runtime::set_user(program, controls, *values, !savings));
+                        (draw.program == none ? 0 : runtime::set_user(program, ready.controls, *values, !savings));
     counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
     counters.specialised_draws += program.settled.empty() ? 0 : 1;
     for (const runtime::BoundTexture& texture : ready.textures)
@@ -347,13 +339,6 @@ void Runtime::Impl::set_up(const ReadyDraw& ready, LinkedProgram& program, const
     state.color(color);
 }
 
-void Runtime::Impl::count_draw(Topology topology, std::uint32_t count, std::uint64_t instances) {
-    ++counters.draws;
-    counters.triangles += instances * runtime::triangle_count(topology, count);
-    counters.lines += instances * runtime::line_count(topology, count);
-    counters.points += instances * (topology == Topology::points ? count : 0);
-}
-
 void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
     LinkedProgram& program = *ready.program;
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
@@ -361,7 +346,10 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
     const auto elements = [&](std::uint32_t first, std::uint32_t count) {
         glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
-        count_draw(mesh.topology, count);
+        ++counters.draws;
+        counters.triangles += runtime::triangle_count(mesh.topology, count);
+        counters.lines += runtime::line_count(mesh.topology, count);
+        counters.points += mesh.topology == Topology::points ? count : 0;
     };
     if (!program.reads(glsl::System::face_index)) return elements(0, mesh.count);
     if (mesh.parts.empty()) {  // face 0, whatever the last mesh ended with

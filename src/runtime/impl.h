@@ -70,16 +70,6 @@ struct ReadyDraw {
     std::vector<Index> controls;                    // of the program's uniforms, as LinkedProgram::user
 };
 
-// Items of a pass, one after the other, that are alike but for their matrices: instances of one draw.
-struct Batch {
-    std::size_t first = 0, count = 0;
-    gl::Buffer matrices;
-    std::vector<Index> controls;        // as ReadyDraw::controls, of the form for instances
-    std::vector<float> last;            // what it holds
-    std::vector<DrawContext> contexts;  // of a frame, kept for their memory
-    std::vector<float> values;          // so are these
-};
-
 // An item that reads what another pass renders.
 struct Reader {
     Index pass = none;
@@ -110,7 +100,6 @@ struct ReadyPass {
     std::array<std::vector<double>, 6> cube_seen;  // cube: what each face shows, as numbers; empty: never drawn
     int next_face = 0;                             // cube: whose turn it is
     std::vector<std::optional<ReadyDraw>> items;   // as Pass::items; empty where it is a Clear or impossible
-    std::vector<Batch> batches;                    // in the order of items
     std::optional<std::vector<Reader>> readers;    // off-screen; none: not known yet
     bool needed = true;                            // something that is in view may read it
     bool stale = false;                            // not needed, and so not drawn, since its last turn
@@ -171,8 +160,6 @@ struct Runtime::Impl {
     void ready_passes(Loading& loading);
     void load_all(Loading& loading);
     std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Loading& loading);
-    void find_batches(Index pass);
-    bool alike(const runtime::ReadyDraw& a, const runtime::ReadyDraw& b) const;
     runtime::Variant variant_of(Index pass, const Draw& draw) const;
     bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
     void ready_target(Index pass, Diagnostics& diagnostics);
@@ -280,12 +267,9 @@ struct Runtime::Impl {
     void draw_face(Index pass, int face, const Frame& frame);
     void finish_pass(Index pass);
     void draw_items(Index pass, const Frame& frame, PassView& view);
-    bool draw_batch(Index pass, runtime::Batch& batch, const Frame& frame, PassView& view);
-    void set_up(const runtime::ReadyDraw& ready, runtime::LinkedProgram& program, const std::vector<Index>& controls,
-                runtime::DrawContext& context, const Frame& frame);
+    void set_up(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
-    void count_draw(Topology topology, std::uint32_t count, std::uint64_t instances = 1);
     PassView window_view(const Frame& frame, const Surface& surface) const;
     // Directly, or by what is computed from it.
     bool reads(const runtime::ReadyDraw& draw, Index rendered) const;

@@ -163,7 +163,7 @@ bool Runtime::Impl::ready_picker(int width, int height) {
 }
 
 void Runtime::Impl::draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth) {
-    set_up(ready, *ready.program, ready.controls, context(ready.draw, frame, view), frame);
+    set_up(ready, frame, view);
     runtime::blend_into_cover(plan.scene.rasters[plan.scene.draws[ready.draw].raster]);
     if (!depth) glDisable(GL_DEPTH_TEST);
     draw_mesh(ready);

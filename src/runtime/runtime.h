@@ -21,11 +21,9 @@
 
 namespace snell {
 
-// What has just been handed to the driver: `count` draws of a pass, the first of which is `draw` (Scene::draws); none:
-// the pass is done.
+// What has just been handed to the driver: a draw of a pass (Scene::draws); none: the pass is done.
 struct Step {
     Index pass = none, draw = none;
-    std::size_t count = 0;
 };
 
 // All that may vary between frames.

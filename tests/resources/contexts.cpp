@@ -112,7 +112,7 @@ TEST_F(ContextEs, BlocksOfUniformsReadZeros) {
     auto document = open(scene);
     EXPECT_TRUE(near(draw(*document).center(), {0, 255, 0, 255}));
     GLint buffer = 0, bytes = 0;
-    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 1, &buffer);
+    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 0, &buffer);
     ASSERT_NE(buffer, 0);
     glBindBuffer(GL_UNIFORM_BUFFER, static_cast<GLuint>(buffer));
     glGetBufferParameteriv(GL_UNIFORM_BUFFER, GL_BUFFER_SIZE, &bytes);

@@ -95,19 +95,6 @@ TEST_F(OutOfView, WhatTurnsOutOfViewIsNotDrawn) {
     EXPECT_EQ(seen(*lean, *full, look).counters.draws_culled, 8U);
 }
 
-TEST_F(OutOfView, OfInstancesOnlyThoseInViewAreDrawn) {
-    std::string scene;
-    for (int i = 0; i < 40; ++i) scene += ball(0, 0, i < 20 ? -5 - i : 5 + i);
-    const Seen half = seen(looking(scene));
-    EXPECT_EQ(half.counters.draws_culled, 20U);
-    EXPECT_EQ(half.counters.draws, 1U);
-    Look look;
-    look.view.eye.x = 1000;
-    const Seen nothing = seen(looking(scene), look);
-    EXPECT_EQ(nothing.counters.draws_culled, 40U);
-    EXPECT_EQ(nothing.counters.draws, 0U);
-}
-
 // Six balls along the axes: each face of the cube shows one.
 TEST_F(OutOfView, EachFaceOfACubeDrawsWhatItShows) {
     folder.write("cube.vert",

@@ -150,7 +150,7 @@ TEST_F(Steady, ADragAllocatesNothing) {
     EXPECT_EQ(after_.programs_compiled, before_.programs_compiled);
 }
 
-TEST_F(Steady, SoItIsWithPassesCubesAndInstances) {
+TEST_F(Steady, SoItIsWithPassesCubesAndManyDraws) {
     std::string many;
     for (int i = 0; i < 20; ++i) many += "PushMatrix\nTranslate " + std::to_string(i) + " 0. 0.\nCube .5\nPopMatrix\n";
     auto document = open("Texture2D 5 32 32\nCubeMap 6 16\nPerspective 60\nLookAt 0 0 5  0 0 0  0 1 0\n" +

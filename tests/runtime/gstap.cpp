@@ -85,18 +85,6 @@ TEST_P(Gstap, MatricesAttributesAndTheCurrentColour) {
     EXPECT_TRUE(near(red.center(), {255, 0, 0, 255}));
 }
 
-TEST_P(Gstap, ManyDrawsAreInstances) {
-    std::string scene;
-    for (int n = 0; n < 40; ++n)
-        scene += "PushMatrix\nTranslate " + std::to_string(n % 8 * .4 - 1.5) + " " + std::to_string(n / 8 * .4 - 1) +
-                 " 0\nSphere .2 8 8\nPopMatrix\n";
-    // Where the vertex shader alone reads the model's matrices.
-    expect_same(scene, {lit_vertex, "varying vec3 vN;\nvoid main() { gl_FragColor = vec4(.5 + .5 * vN, 1.); }\n", {}});
-    auto document = open_file(folder.path("scene.glib"));
-    draw(*document);
-    EXPECT_LT(document->runtime->counters().draws, 10U);
-}
-
 TEST_P(Gstap, GeometryShadersHaveTheMatrices) {
     if (!caps.geometry) GTEST_SKIP() << "no geometry shaders here";
     expect_same("Teapot\n",

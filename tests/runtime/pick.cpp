@@ -129,32 +129,6 @@ TEST_P(Pick, GeometryThatIsTessellated) {
                  object(2, patch));
 }
 
-TEST_P(Pick, OfInstancesEachIsItsOwn) {
-    std::string scene = "Ortho -1 1 -1 1\nVertex plain.vert\nFragment color.frag\nProgram P uColor {1. 0. 0. 1.}\n";
-    for (int i = 0; i < 25; ++i)
-        scene += "PushMatrix\nTranslate " + std::to_string(i % 5 * .4 - .8) + " " + std::to_string(i / 5 * .4 - .8) +
-                 " 0\nQuadXY 0. .15\nPopMatrix\n";
-    auto document = open(scene);
-    expect_clean(*document);
-    draw(*document);
-    ASSERT_EQ(document->runtime->counters().draws, 1u) << "they are instances";
-    const std::vector<Index> found = ids(*document);
-    const View view;
-    const Picture all = draw(*document);
-    for (Index i = 0; i < 25; ++i) {
-        std::vector<bool> hidden(25, false);
-        hidden[i] = true;
-        const gl::Target target = gl::make_target(side, side, 1);
-        document->runtime->draw({.view = view, .controls = document->controls, .hidden = &hidden},
-                                {target.framebuffer.get(), side, side});
-        const Picture without{side, side, gl::read_rgba8(target.framebuffer.get(), side, side, 1)};
-        for (int y = 0; y < side; ++y)
-            for (int x = 0; x < side; ++x)
-                ASSERT_EQ(found[static_cast<size_t>((side - 1 - y) * side + x)] == i, all.at(x, y) != without.at(x, y))
-                    << i << " at " << x << ' ' << y;
-    }
-}
-
 TEST_P(Pick, WhatWasClearedAwayAndWhatIsOffScreenIsNotThere) {
     auto document = open("Ortho -1 1 -1 1\nTexture2D 6 32 32\nRenderToTexture 6\n" + std::string("Sphere 1.\n") +
                          "RenderToTexture\nSphere 1.\nClear\nColor 1 0 0\nQuadXY 0. .5\n");

@@ -73,23 +73,14 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     return key;
 }
 
-std::size_t block_bytes() {
-    GLint bytes = 0;
-    glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &bytes);
-    return static_cast<std::size_t>(std::max(bytes, 0));
-}
-
 // No command fills a scene's own uniform blocks: they read zeros. Browsers draw nothing where a block has no buffer.
 gl::Buffer zeros_for_blocks(GLuint program) {
     GLint blocks = 0, most = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORM_BLOCKS, &blocks);
     for (GLuint i = 0; i < static_cast<GLuint>(blocks); ++i) {
-        std::array<GLchar, 8> name{};
-        glGetActiveUniformBlockName(program, i, name.size(), nullptr, name.data());
-        if (std::string_view(name.data()).starts_with("snell_")) continue;
         GLint bytes = 0;
         glGetActiveUniformBlockiv(program, i, GL_UNIFORM_BLOCK_DATA_SIZE, &bytes);
-        glUniformBlockBinding(program, i, own_blocks);
+        glUniformBlockBinding(program, i, 0);
         most = std::max(most, bytes);
     }
     if (most == 0) return {};
@@ -215,41 +206,9 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     find_uniforms(*linked, request.program, translation, request.caps);
     assign_units(*linked);
     linked->blocks = zeros_for_blocks(linked->program.get());
-    linked->instanced = instanced_text(translation, block_bytes());
     linked->load_ms = watch.milliseconds();
     if (request.store) request.store->programs.put(key, linked, {}, none_said, 0);
     return linked;
-}
-
-// Nothing is reported if this fails, because the draws are then done one by one.
-const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,
-                                  Counters& counters) {
-    if (linked.instancing) return linked.instancing->program ? &*linked.instancing : nullptr;
-    linked.instancing.emplace();
-    if (linked.instanced.text.empty() || linked.shaders.size() != 2) return nullptr;
-    gl::Compiled vertex = gl::compile(GL_VERTEX_SHADER, linked.instanced.text);
-    if (!vertex.shader) return nullptr;
-    const auto names = glsl::attribute_names();
-    gl::Linked result = gl::link({&vertex.shader, linked.shaders[1].get()}, attribute_locations(names));
-    if (!result.program) return nullptr;
-    auto many = std::make_shared<LinkedProgram>();
-    many->program = std::move(result.program);
-    many->opaque = linked.opaque;
-    many->settled = linked.settled;
-    find_uniforms(*many, program, {}, caps);
-    // Both forms read the units that are bound for the draw.
-    for (SamplerUniform& sampler : many->samplers) {
-        const auto same = ranges::find(linked.samplers, sampler.name, &SamplerUniform::name);
-        if (same == linked.samplers.end() || same->size != sampler.size) return nullptr;
-        sampler.first_unit = same->first_unit;
-    }
-    assign_units(*many);
-    many->blocks = zeros_for_blocks(many->program.get());
-    ++counters.programs_compiled;
-    ++counters.shaders_compiled;
-    ++counters.variants;
-    linked.instancing = {std::move(many), linked.instanced.matrices, linked.instanced.capacity};
-    return &*linked.instancing;
 }
 
 std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Caps& caps, Store* store,

@@ -15,7 +15,6 @@
 #include "src/plan/plan.h"
 #include "src/plan/values/controls.h"
 #include "src/runtime/resources/counters.h"
-#include "src/runtime/resources/instances.h"
 #include "src/runtime/resources/state.h"
 #include "src/runtime/resources/store.h"
 
@@ -52,9 +51,6 @@ struct SamplerUniform {
     std::vector<int> initial;  // units that the shader names itself, by layout(binding)
 };
 
-// The binding of a scene's own uniform blocks. Those of snell are at 0.
-inline constexpr GLuint own_blocks = 1;
-
 struct LinkedProgram {
     gl::Program program;
     std::vector<std::shared_ptr<gl::Shader>> shaders;  // for others that have the same stage
@@ -68,14 +64,12 @@ struct LinkedProgram {
     std::vector<float> scratch;        // kept for its memory
     std::vector<UserUniform> user;
     std::vector<SamplerUniform> samplers;
-    gl::Buffer blocks;                     // zeros, for the scene's own uniform blocks; empty if there are none
-    InstancedText instanced;               // where draws with it may be instances of one
-    std::optional<Instancing> instancing;  // made when something is drawn so
-    double load_ms = 0;                    // to translate, compile and link
-    bool opaque = false;                   // writes alpha 1 whatever happens
-    bool plain_depth = false;              // as Translation's
-    bool in_place = false;                 // vertices are where the mesh and the matrices have them
-    bool reads_place = false;              // as Translation's
+    gl::Buffer blocks;         // zeros, for the scene's own uniform blocks; empty if there are none
+    double load_ms = 0;        // to translate, compile and link
+    bool opaque = false;       // writes alpha 1 whatever happens
+    bool plain_depth = false;  // as Translation's
+    bool in_place = false;     // vertices are where the mesh and the matrices have them
+    bool reads_place = false;  // as Translation's
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
@@ -128,10 +122,6 @@ void find_uniforms(LinkedProgram& linked, const Program& program, const glsl::Tr
                    const gl::Caps& caps);
 // Gives each sampler its GL units, for good.
 void assign_units(const LinkedProgram& linked);
-
-// The form of the program that draws instances; null where there is none. `program` is the one that it was linked for.
-const Instancing* make_instancing(LinkedProgram& linked, const Program& program, const gl::Caps& caps,
-                                  Counters& counters);
 
 // Draws the current colour, unlit. Throws when it fails: nothing can be drawn in a context where that is so.
 std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Caps& caps, Store* store,

@@ -237,10 +237,6 @@ double timer_value(double time, double period) {
     return std::min(phase, static_cast<double>(std::nextafter(1.0F, 0.0F)));
 }
 
-void append_system(Floats& values, System system, const DrawContext& context, int size) {
-    append_value(values, system, context, size);
-}
-
 int set_system(LinkedProgram& program, const DrawContext& context, bool all) {
     // The harmonics may have changed although their address is the same.
     if (!all && !context.harmonics && program.shown == context) return 0;

@@ -19,9 +19,6 @@ inline double frame_time(std::uint64_t frame, double frames_per_second) {
     return static_cast<double>(frame) / frames_per_second;
 }
 
-// What a uniform of the system holds, column by column; `size` elements of an array.
-void append_system(std::vector<float>& values, glsl::System system, const DrawContext& context, int size = 1);
-
 // The program must be in use. Both return how many uniforms were uploaded; `all`: those that did not change, too.
 int set_system(LinkedProgram& program, const DrawContext& context, bool all = false);
 // `places`: the control of each of LinkedProgram::user; none: the uniform keeps its initial value.

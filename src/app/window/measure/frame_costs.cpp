@@ -74,7 +74,6 @@ const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision
         frames_.clear();
         live_.clear();
         known_.clear();
-        together_.clear();
         apart_.reset();
         revision_ = revision;
     }
@@ -117,7 +116,6 @@ void FrameCosts::measure() {
     apart_ = apart_ ? nullptr : std::make_unique<Apart>();
     if (!apart_) return;
     known_.clear();
-    together_.clear();
 }
 
 bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
@@ -140,10 +138,7 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
         gl::finish();
         const double at = accuracy::wall_milliseconds();
         apart.sums[{step.pass, none}] += at - apart.before;
-        if (step.draw != none) {
-            apart.sums[{step.pass, step.draw}] += at - apart.before;
-            together_[{step.pass, step.draw}] = step.count;
-        }
+        if (step.draw != none) apart.sums[{step.pass, step.draw}] += at - apart.before;
         apart.before = accuracy::wall_milliseconds();
     };
     apart.sums.clear();
@@ -159,9 +154,7 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
         for (std::size_t i = 0; i < times.size() && i < apart.marked.size(); ++i) {
             const Step& step = apart.marked[i];
             apart.sums[{step.pass, none}] += times[i];
-            if (step.draw == none) continue;
-            apart.sums[{step.pass, step.draw}] += times[i];
-            together_[{step.pass, step.draw}] = step.count;
+            if (step.draw != none) apart.sums[{step.pass, step.draw}] += times[i];
         }
     }
     const double plain = plain_frame(document, stand);
@@ -226,11 +219,8 @@ std::vector<ui::CostRow> FrameCosts::rows_of(const Times& times, const Document&
             const Index index = it->first.second;
             if (index == none || index >= scene.draws.size()) continue;
             const Draw& draw = scene.draws[index];
-            std::string name = statement_text(draw.span, document.sources);
-            if (const auto found = together_.find(it->first); found != together_.end() && found->second > 1)
-                name += fmt::format(", and {} like it", found->second - 1);
-            rows.push_back(
-                {std::move(name), statement_place(draw.span, document.sources), accuracy::median(it->second), true});
+            rows.push_back({statement_text(draw.span, document.sources), statement_place(draw.span, document.sources),
+                            accuracy::median(it->second), true});
         }
     }
     return rows;

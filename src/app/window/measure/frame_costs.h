@@ -70,9 +70,8 @@ private:
     bool distrusted_ = false;
     std::uint64_t revision_ = 0;
     std::unique_ptr<Apart> apart_;
-    Times known_;                          // results of measure()
-    double plain_ = 0;                     // likewise, of plain_frame()
-    std::map<Key, std::size_t> together_;  // how many draws one call executed
+    Times known_;       // results of measure()
+    double plain_ = 0;  // likewise, of plain_frame()
     std::vector<ui::CostRow> live_rows_, apart_rows_;
     ui::FrameCostFacts facts_;
 };
