@@ -66,8 +66,8 @@ void set_signals(posix_spawnattr_t& how, bool stays) {
     sigaddset(&pipes, SIGPIPE);
     posix_spawnattr_setsigmask(&how, &none);
     posix_spawnattr_setsigdefault(&how, &pipes);
-    posix_spawnattr_setflags(&how, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF |
-                                                      (stays ? POSIX_SPAWN_SETSID : 0)));
+    posix_spawnattr_setflags(
+        &how, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | (stays ? POSIX_SPAWN_SETSID : 0)));
 }
 
 }  // namespace
@@ -198,8 +198,7 @@ std::optional<Ended> Process::poll() {
     pipe_ = -1;
     if (ended > 0 && WIFEXITED(status)) ended_.status = WEXITSTATUS(status);
     if (ended > 0 && WIFSIGNALED(status)) ended_.signal = WTERMSIG(status);
-    if (ended_.output.size() > limits_.most_output)
-        ended_.output.erase(0, ended_.output.size() - limits_.most_output);
+    if (ended_.output.size() > limits_.most_output) ended_.output.erase(0, ended_.output.size() - limits_.most_output);
     return std::move(ended_);
 }
 

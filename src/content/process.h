@@ -25,10 +25,10 @@ struct Ended {
 };
 
 struct ProcessLimits {
-    double seconds = 0;                                 // it is ended then; 0: it takes as long as it takes
-    std::uint64_t bytes = 0;                            // that a copy may ask for beyond the memory of this process
+    double seconds = 0;       // it is ended then; 0: it takes as long as it takes
+    std::uint64_t bytes = 0;  // that a copy may ask for beyond the memory of this process
     std::size_t most_output = static_cast<std::size_t>(-1);  // the last bytes that are kept of the output
-    bool captured = false;  // what it prints is its output, too, instead of going where this process prints
+    bool captured = false;    // what it prints is its output, too, instead of going where this process prints
     bool background = false;  // a copy at lower priority, which is ended with all that it starts
     bool stays = false;       // a program that goes on when the object ends, and that Ctrl-C does not reach
 };

@@ -40,7 +40,7 @@ struct Project {
     std::unique_ptr<Files> files;
     Sources sources;
     static constexpr FileId scene_file = 0;  // what is read first
-    Plan plan;  // its scene, and programs with the texts of their shaders
+    Plan plan;                               // its scene, and programs with the texts of their shaders
     // In the order of Scene::programs; not `ok` where there are no shaders, or where they have errors.
     std::vector<glsl::Translation> translations;
     Diagnostics diagnostics;  // of parser, plan, translator and lints, sorted

@@ -31,7 +31,8 @@ TEST(WhyEnded, ADriverAbortsWhereItGetsNoMemory) {
 }
 
 TEST(WhyEnded, TimeComesFirst) {
-    EXPECT_EQ(why_ended({{.signal = SIGKILL, .too_long = true, .output = ""}}, 10, 4), "it takes longer than 10 seconds");
+    EXPECT_EQ(why_ended({{.signal = SIGKILL, .too_long = true, .output = ""}}, 10, 4),
+              "it takes longer than 10 seconds");
 }
 
 }  // namespace

@@ -89,8 +89,7 @@ TEST_F(KeptScenes, DamagedOrHugeFilesAreAsNone) {
     for (const std::string& text :
          {std::string(), std::string("null"), std::string("[]"), std::string("{"), std::string(200000, '['),
           std::string(R"({"scene": 7})"), std::string("\xFF\xFE\0", 3), std::string("scene /another\n\n\n"),
-          std::string("scene"), fine.substr(0, fine.find('\n') + 1),
-          fine + std::string(300000, ' ')}) {
+          std::string("scene"), fine.substr(0, fine.find('\n') + 1), fine + std::string(300000, ' ')}) {
         put(text);
         EXPECT_EQ(read_kept(folder_, one), Remembered{}) << text.substr(0, 20);
     }

@@ -44,8 +44,7 @@ std::string PageMaker::look() {
     if (!ended) return {};
     const std::string& said = ended->output;
     const std::string name = utf8::printable(std::filesystem::path(page_).filename().string());
-    if (ended->status != 0)
-        return fmt::format("{} is not saved: {}", name, line_with(said, "error: "));
+    if (ended->status != 0) return fmt::format("{} is not saved: {}", name, line_with(said, "error: "));
     const std::string line = line_with(said, " redistributes ");
     const std::size_t told = line.find(name);
     return "saved " +
