@@ -139,7 +139,7 @@ bool may_not_end(const Diagnostics& found) {
 }
 
 void Walker::go_round(double rounds, int first, int last) {
-    if (rounds <= 0 || state_.dead) return;
+    if (rounds <= 0 || state_.dead || (rounds == endless && (perhaps_ > 0 || state_.returned))) return;
     rounds_ += weight_ * (rounds + 1);
     if (rounds_ <= most_rounds || told_rounds_) return;
     told_rounds_ = true;

@@ -113,14 +113,17 @@ void Walker::branch() {
     condition_on(open + 1, close - 1);
     nonuniform_ += varies ? 1 : 0;
     const State before = state_;
+    ++perhaps_;
     statement();
     State taken = std::move(state_);
     state_ = before;
     if (accept("else")) statement();
+    --perhaps_;
     nonuniform_ -= varies ? 1 : 0;
     const bool ended = taken.dead || state_.dead;
     const bool returned = taken.returned || state_.returned;
     // If a path ended here, the rest runs under the condition, too.
+    perhaps_ += ended ? 1 : 0;
     if (!ended)
         for (int k = open + 1; k < close; ++k)
             if (const auto found = conditions_.find(u_.at(k).text); found != conditions_.end())
@@ -204,7 +207,9 @@ void Walker::loop() {
     const bool varies = condition.v.varies == Varies::yes;
     nonuniform_ += varies ? 1 : 0;
     p_ = close + 1;
+    perhaps_ += rounds > 0 ? 0 : 1;
     statement();
+    perhaps_ -= rounds > 0 ? 0 : 1;
     nonuniform_ -= varies ? 1 : 0;
     weight_ = weight;
     const int end = p_;

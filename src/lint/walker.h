@@ -173,7 +173,8 @@ private:
     std::set<int> unstable_;                      // global variables that functions assign
     double rounds_ = 0, weight_ = 1;              // of all loops so far; of those around
     bool told_rounds_ = false;
-    int nonuniform_ = 0;                          // branches around that only some fragments take
+    int perhaps_ = 0;     // branches, and loops of unknown rounds, around: what stands there may never run
+    int nonuniform_ = 0;  // branches around that only some fragments take
     std::multiset<std::string_view> conditions_;  // names in conditions around, or behind which some path ended
 
     struct Schlick {

@@ -184,7 +184,14 @@ TEST(Remembered, NamesThatAreGoneAreBounded) {
 TEST(Remembered, ProgramsOfOneNameAreToldApart) {
     const UniformValue line = value_of("u", Kind::range, {0, 1, 5});
     const Scene scene = scene_with({{"P", {line}}, {"Q", {line}}, {"P", {line}}});
-    EXPECT_EQ(control_names(scene, controls_of(scene)), (std::vector<std::string>{"P.u", "Q.u", "P#2.u"}));
+    Controls controls = controls_of(scene);
+    EXPECT_EQ(control_names(scene, controls), (std::vector<std::string>{"P.u", "Q.u", "P#2.u"}));
+    Diagnostics none;
+    EXPECT_TRUE(set_control(controls, scene, "P#1.u=3", none)) << "the first has a number, too";
+    EXPECT_TRUE(set_control(controls, scene, "P#2.u=4", none));
+    EXPECT_EQ(controls.items[0].value, std::vector<double>{3});
+    EXPECT_EQ(controls.items[1].value, std::vector<double>{1});
+    EXPECT_EQ(controls.items[2].value, std::vector<double>{4});
 }
 
 TEST(Remembered, RungsGoByNameAndFollowTheText) {

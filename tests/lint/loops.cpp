@@ -90,6 +90,11 @@ TEST(LintLoops, WithoutAnEnd) {
 
 TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
     for (const char* loop : {"while (true) { x += 1.; if (x > uX) break; }",
+                             "if (false) while (true) x += 1.;",
+                             "if (uX > 5.) { for (int i = 0; i < 10; i--) x += 1.; }",
+                             "if (uX < 5.) x += 1.; else while (true) x += 1.;",
+                             "if (uX < 5.) return; while (true) x += 1.;",
+                             "for (int i = uM; i < uN; ++i) while (true) x += 1.;",
                              "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) break; }",
                              "for (int i = 0; i < 100000; ++i) { x += uX; if (x > 3.) discard; }",
                              "for (int i = 0; i < 100000; ++i) { ++i; i *= 2; }",

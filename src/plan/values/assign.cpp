@@ -78,9 +78,12 @@ std::vector<Control*> named(Controls& controls, const Scene& scene, std::string_
         collect(name.substr(dot + 1), name.substr(0, dot));
     }
     if (!found.empty() || name.find('#') == std::string_view::npos) return found;
-    const std::vector<std::string> names = control_names(scene, controls);  // "P#2.uA" of the second program P
+    // "P#2.uA" is that of the second program P; "P#1.uA" that of the first, whose name has no number.
+    const std::vector<std::string> names = control_names(scene, controls);
+    std::string plain(name);
+    if (const std::size_t one = plain.find("#1."); one != std::string::npos) plain.erase(one, 2);
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) found.push_back(&controls.items[i]);
+        if (names[i] == name || names[i] == plain) found.push_back(&controls.items[i]);
     return found;
 }
 
