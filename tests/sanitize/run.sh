@@ -54,7 +54,7 @@ plan
 lint
 mesh -MeshTree.FindsWhatTryingAllFinds:MeshTree.IsBuiltQuickly
 image -CubeLight.ReductionKeepsTheLight:Irradiance.*:Prefilter.*:Environments.KeepTheirLight:ImageNoise.LatticePoints*:ImageNoise.Resolution*:ImageNoise.HasTheAmplitudes*:ImageFormats.TheModuleIsFoundInstalled*
-app -Editor.SaysWhatWentWrong
+app -Editor.SaysWhatWentWrong:Process.AProgramIsFoundAsAShell*
 ui
 accuracy -Front.TwoRunsThatAreDecidedAgree
 stability
