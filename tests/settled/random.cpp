@@ -354,6 +354,30 @@ TEST_F(RandomPrograms, ZerosThatADriverFindsAreHidden) {
     }
 }
 
+// A driver that finds the determinant to be 0 by algebra leaves the quotient undefined: other bytes in every run.
+TEST_F(RandomPrograms, InversesOfSingularMatricesAreNotFinite) {
+    for (const char* body : {"mat2 m = inverse(mat2(uK, uK, uK, uK)); c = vec4(m[0], m[1]);",
+                             "mat3 m = inverse(mat3(vec3(uK), vec3(uK), vec3(uK))); c = vec4(m[0], m[1].x);",
+                             "mat4 m = inverse(mat4(vec4(uK), vec4(uK), vec4(uK), vec4(uK))); c = m[0];",
+                             "c = vec4(uK) / determinant(mat3(vec3(uK), vec3(uK), vec3(uK)));"}) {
+        folder.write("singular.frag",
+                     "#version 330 compatibility\nuniform float uK;\nin vec2 vST;\n"
+                     "void main() {\nvec4 c;\n" +
+                         std::string(body) + "\ngl_FragColor = c;\n}\n");
+        folder.write("singular.glib",
+                     "Blend off\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment singular.frag\n"
+                     "Program P uK <0. 2. 3.>\nQuadXY\n");
+        auto any = open_file(folder.path("singular.glib")), settled = open_settled(folder.path("singular.glib"));
+        expect_clean(*any);
+        const auto values = floats_of(*any);
+        const auto center = static_cast<std::ptrdiff_t>(4 * (of_one_program + of_one_program / 2));
+        EXPECT_TRUE(std::none_of(values.begin() + center, values.begin() + center + 4, [](float value) {
+            return std::isfinite(value);
+        })) << body;
+        EXPECT_TRUE(unlike(values, floats_of(*settled)).empty()) << body;
+    }
+}
+
 // Where GLSL wants a constant, it gets one.
 TEST_F(RandomPrograms, ConstantsStayConstant) {
     folder.write("constant.frag",

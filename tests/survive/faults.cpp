@@ -171,6 +171,20 @@ TEST_F(Faults, WithLittleAddressSpaceItSaysSo) {
     }
 }
 
+// A shell's limit would earn a correct submission nothing.
+TEST_F(Faults, WithLittleAddressSpaceNobodyIsGraded) {
+    if (sanitized) GTEST_SKIP() << no_bound;
+    const std::string lesson = "docs/teaching/01-colour/";
+    const std::string grade = "/snell grade " + lesson + "rubric.toml " + lesson + "submissions -o " + at("report");
+    const Outcome out = run("ulimit -v 200000; " SNELL_BIN + grade);
+    EXPECT_EQ(out.status, 1);
+    EXPECT_TRUE(out.says("'ulimit -v') leaves 0.2 GB")) << out.output;
+    EXPECT_FALSE(fs::exists(at("report/students")));
+    const Outcome check = run("ulimit -v 200000; " SNELL_BIN "/snell check scenes/light/glass/glass.glib");
+    EXPECT_EQ(check.status, 1);
+    EXPECT_TRUE(check.says("[out-of-memory]")) << check.output;
+}
+
 // What llvmpipe leaves out, and does not tell, is told where it is known.
 TEST_F(Faults, LoopsThatTheDriverEndsAreSaid) {
     const auto loops = [&](const std::string& rounds) {

@@ -82,6 +82,7 @@ Checked check_scene(const std::string& path, const CheckOptions& options, const 
 std::optional<gl::Caps> caps_of(std::unique_ptr<HeadlessContext>& context) {
     std::string error;
     context = HeadlessContext::make({}, error);
+    if (!context && short_of_memory(whole_driver)) out_of_memory();
     if (!context) return std::nullopt;
     return gl::query_caps();
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -65,7 +66,7 @@ public:
     Exit run() {
         if (!ready()) return exit_input;
         const Interrupt noted;
-        std::string asked = fmt::format("{} GB", options_.gigabytes);
+        std::string asked = fmt::format("{} GB", gigabytes_);
         for (const LimitFacts& limit : limit_table()) asked += fmt::format(" {}", options_.limits.*limit.value);
         const std::string common = common_key(grades_.rubric, asked);
         if (!judge_reference(common)) return exit_graphics;
@@ -118,7 +119,22 @@ private:
         fmt::print(stderr, "snell: judged: {} of {} submissions\n", judged_, of);
     }
 
+    // A limit of the shell's counts for all processes: what it leaves to a correct submission must be enough.
     bool ready() {
+        constexpr double least = .7e9;
+        const double limit = address_space();
+        if (limit < least)
+            return complain(fmt::format("the limit of address space ('ulimit -v') leaves {:.2g} GB, and an OpenGL "
+                                        "driver alone may take {}",
+                                        limit / 1e9, least / 1e9),
+                            "nothing was judged");
+        if (limit < (gigabytes_ > 0 ? gigabytes_ * 1e9 : std::numeric_limits<double>::infinity())) {
+            gigabytes_ = limit / 1e9;
+            fmt::print(stderr,
+                       "snell: warning: the limit of address space ('ulimit -v') leaves {:.3g} GB to each "
+                       "submission, less than --memory\n",
+                       gigabytes_);
+        }
         std::error_code error;
         fs::create_directories(output_, error);
         if (!error) grades_.lock = lock_folder(output_.string());
@@ -186,7 +202,7 @@ private:
     Apart apart(std::size_t jobs) const {
         return {jobs,
                 {.seconds = most_seconds(),
-                 .bytes = static_cast<std::uint64_t>(options_.gigabytes * 1e9),
+                 .bytes = static_cast<std::uint64_t>(gigabytes_ * 1e9),
                  .most_output = 4096,
                  .captured = true},
                 Interrupt::came};
@@ -214,7 +230,7 @@ private:
     Record result_of(const EndedProcess& ended, const std::string& folder, const std::string& key,
                      const std::string& submission) const {
         Record record = read_record(folder, grades_.rubric);
-        const std::string problem = why_ended(ended, grades_.rubric.timeout, options_.gigabytes);
+        const std::string problem = why_ended(ended, grades_.rubric.timeout, gigabytes_);
         if (record.key != unfinished(key))
             record = unjudged(grades_.rubric, problem.empty() ? "there is no result" : problem);
         record.key = key;
@@ -274,6 +290,7 @@ private:
     }
 
     const GradeOptions& options_;
+    double gigabytes_ = options_.gigabytes;  // of memory for a submission; 0: no limit
     Grades& grades_;
     fs::path output_;
     ProgressLine progress_;

@@ -90,13 +90,13 @@ std::string why_ended(const EndedProcess& ended, double timeout, double gigabyte
     if (ended.too_long || ended.status == exit_timeout)
         return fmt::format("it takes longer than {} seconds{}", timeout, said(ended));
     if (out_of_memory(ended))
-        return gigabytes > 0 ? fmt::format("it takes more than {} GB of memory", gigabytes)
+        return gigabytes > 0 ? fmt::format("it takes more than {:.3g} GB of memory", gigabytes)
                              : "it takes more memory than there is";
     if (ended.signal != 0) {
         // Drivers abort where they get no memory.
         const std::string limit =
             ended.signal == SIGABRT && gigabytes > 0
-                ? fmt::format("; the cause may be the limit of {} GB of memory, which --memory changes", gigabytes)
+                ? fmt::format("; the cause may be the limit of {:.3g} GB of memory, which --memory changes", gigabytes)
                 : "";
         return fmt::format("it ends the program that draws it, twice, by signal {} ({}){}", ended.signal,
                            strsignal(ended.signal), limit);

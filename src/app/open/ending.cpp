@@ -1,10 +1,12 @@
 #include "src/app/open/ending.h"
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -101,12 +103,17 @@ void ended_by_driver(int signal) {
 }  // namespace
 
 bool short_of_memory(std::size_t bytes) {
-    rlimit limit{};
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+    if (!std::isfinite(address_space())) return false;
     void* probe = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (probe == MAP_FAILED) return true;
     munmap(probe, bytes);
     return false;
+}
+
+double address_space() {
+    rlimit limit{};
+    const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return limited ? static_cast<double>(limit.rlim_cur) : std::numeric_limits<double>::infinity();
 }
 
 void out_of_memory() {
@@ -116,8 +123,7 @@ void out_of_memory() {
     constexpr std::string_view more =
         "snell: error: out of memory [out-of-memory]\n   help: the limit of address space ('ulimit -v') is too low: an "
         "OpenGL driver alone may take 700000 kB\n";
-    rlimit limit{};
-    const std::string_view text = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < 1U << 30U ? more : less;
+    const std::string_view text = address_space() < 1U << 30U ? more : less;
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
     _exit(exit_input);
 }

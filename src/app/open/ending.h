@@ -63,6 +63,9 @@ void watch_memory();
 bool short_of_memory(std::size_t bytes = std::size_t{64} << 20);
 constexpr std::size_t whole_driver = std::size_t{400} << 20;
 
+// The limit of address space of this process and those that it makes, in bytes; infinite if there is none.
+double address_space();
+
 // Says so, and ends the process on whatever thread this happens, because exceptions would have to pass through drivers
 // and libraries. No file is left incomplete: files are written whole or not at all.
 [[noreturn]] void out_of_memory();
