@@ -1,5 +1,6 @@
 // The table of commands, with one row for each. The matcher, the documentation, the editors' grammars, suggestions and
 // the fuzzer's dictionary are derived from it.
+// Commands of OpenGL and its helpers that the language lacks, and what does their work in a scene.
 #pragma once
 
 #include <span>
@@ -42,5 +43,9 @@ const std::vector<std::string_view>& command_names();
 
 // Returns the table as JSON: names, aliases, signatures, arguments with kinds and defaults, documentation.
 std::string commands_json();
+
+// What to write for a statement of OpenGL ("glEnable GL_BLEND", "ShadeModel GL_FLAT"), or why there is nothing to
+// write; empty for other words.
+std::string help_for_opengl(std::string_view word, std::string_view argument);
 
 }  // namespace snell

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "parser/commands/elsewhere.h"
+#include "parser/commands/commands.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
 #include "parser/read/uniforms.h"

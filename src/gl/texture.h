@@ -1,9 +1,11 @@
 // Textures of the kinds that scenes use, and sampler objects.
+// What a sampler reads where nothing is bound: a texel of its own kind, so that it can't be another program's texture.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "src/gl/handle.h"
@@ -54,5 +56,16 @@ Sampler make_sampler(const Sampling& sampling, bool cube);
 // Draws one triangle that covers the viewport, with the program in use and `texture` bound to unit 0. The triangle has
 // no attributes, but OpenGL ES and core contexts require a vertex array even so.
 void draw_covering(GLuint texture, GLuint vertex_array);
+
+// Reads as (0, 0, 0, 1), as OpenGL has it for textures that are not complete; shadow samplers as 0, and multisampled
+// textures and buffers as (0, 0, 0, 0), as texels beyond the edge do.
+struct Black {
+    GLenum target = GL_TEXTURE_2D;
+    Buffer buffer;  // of a buffer texture
+    Texture texture;
+};
+
+// `sampler`: a type of GLSL that this context has, such as isampler2DArray.
+Black make_black(std::string_view sampler);
 
 }  // namespace snell::gl

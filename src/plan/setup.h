@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "src/plan/values/carry.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
 

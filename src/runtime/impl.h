@@ -1,4 +1,4 @@
-// What a Runtime holds. Built once by build.cpp; frame.cpp draws it.
+// What a Runtime holds. Built once by build.cpp; runtime.cpp draws it.
 #pragma once
 
 #include <map>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "src/gl/target.h"
-#include "src/runtime/resources/jobs.h"
 #include "src/runtime/resources/mesh.h"
 #include "src/runtime/resources/program.h"
 #include "src/runtime/resources/state.h"
@@ -185,7 +184,7 @@ struct Runtime::Impl {
     void bind_harmonics(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
     void bind_textures(runtime::ReadyDraw& ready, Index pass, Diagnostics& diagnostics);
 
-    // preload.cpp
+    // geometry.cpp
     struct LoadedMesh {
         content::Mesh mesh;
         Diagnostics said;
@@ -194,11 +193,7 @@ struct Runtime::Impl {
     void preload(Loading& loading);
     void preload_meshes(Loading& loading, std::vector<runtime::Job>& jobs);
     LoadedMesh take_mesh(Index mesh, Loading& loading);
-
-    // mesh.cpp
     void ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading);
-
-    // tree.cpp
     void bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
     void make_tree(runtime::GpuTree& tree, const content::Mesh& mesh, const std::array<bool, runtime::tree_parts>& read,
                    Index draw, Diagnostics& diagnostics);
@@ -231,7 +226,7 @@ struct Runtime::Impl {
     void forget_forms();
     void drop_form();
 
-    // ladders.cpp
+    // build.cpp
     bool choose(const Rungs& rungs);
     // Chooses the rungs of a frame's controls, and makes `values` of them.
     void take(const Controls& controls);
@@ -241,7 +236,7 @@ struct Runtime::Impl {
     Rungs rungs_of(Index program) const;
     runtime::LinkedProgram* link_chosen(Index program, runtime::Variant variant, Loading& loading);
 
-    // frame.cpp
+    // runtime.cpp
     // Where a pass looks from. Off-screen cube faces replace the scene's camera.
     struct PassView {
         int width = 1, height = 1;
@@ -294,7 +289,6 @@ struct Runtime::Impl {
     // Stands in `view` until the next call.
     runtime::DrawContext& context(Index draw, const Frame& frame, PassView& view) const;
 
-    // sight.cpp
     const std::vector<bool>* out_of_view(Index pass, const Frame& frame, const PassView& view);
     bool out_of_view(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view) const;
     std::vector<runtime::Reader> readers_of(Index pass) const;
@@ -303,7 +297,7 @@ struct Runtime::Impl {
     // Returns true if an off-screen pass must be drawn. `standing`: it need not be if the last frame drew it.
     bool due(Index pass, bool standing);
 
-    // pick.cpp
+    // inspect.cpp
     bool ready_picker(int width, int height);
     void draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth);
     void pick_window(Index pass, const Frame& frame, PassView& view);

@@ -2,8 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/gl/driver.h"
+#include "src/gl/program.h"
+#include "src/gl/texture.h"
+#include "src/plan/view.h"
+#include "src/runtime/impl.h"
 
 namespace snell {
 
@@ -145,6 +152,222 @@ void paint_flags(std::span<const float> rgba, std::vector<std::byte>& picture) {
         for (std::size_t c = 0; c < 3; ++c) picture[at + c] = std::byte{color[c]};
         picture[at + 3] = std::byte{255};
     }
+}
+
+namespace runtime {
+
+namespace {
+
+constexpr const char* ids_fragment =
+    "uniform sampler2D cover;\nout vec4 color;\nuniform vec4 id;\nvoid main() {\n"
+    "    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a >= 1.) discard;\n    color = id;\n}\n";
+
+// Each of the four samples lies between four texels: together they see all around the pixel. A dark rim around the
+// bright line is seen on any picture.
+constexpr const char* outline_fragment =
+    "uniform sampler2D cover;\nout vec4 color;\nuniform float width;\n"
+    "bool covered(float away) {\n    vec2 size = vec2(textureSize(cover, 0));\n    float least = 1.;\n"
+    "    for (int i = 0; i < 4; ++i)\n"
+    "        least = min(least, texture(cover, (gl_FragCoord.xy + away * vec2((i & 1) * 2 - 1, (i & 2) - 1)) / "
+    "size).a);\n"
+    "    return least < .998;\n}\n"
+    "void main() {\n    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a < 1.) discard;\n"
+    "    bool line = covered(width - .5);\n    if (!line && !covered(width + .5)) discard;\n"
+    "    color = line ? vec4(1., .62, .05, 1.) : vec4(.1, .06, 0., 1.);\n}\n";
+
+}  // namespace
+
+bool Picker::resize(int width, int height) {
+    if (cover_target_.framebuffer && width_ == width && height_ == height) return true;
+    if (!nothing_) nothing_ = gl::VertexArray(gl::make(glGenVertexArrays));
+    const gl::Texels empty{gl::Pixels::rgba8, width, height, 1, nullptr};
+    cover_target_ = {};
+    ids_target_ = {};
+    cover_ = gl::make_texture(GL_TEXTURE_2D, empty, {gl::Sampling::Mode::linear, 1, true});
+    ids_ = gl::make_texture(GL_TEXTURE_2D, empty, {gl::Sampling::Mode::nearest, 1, true});
+    cover_target_ = gl::make_texture_target({{cover_.get(), GL_TEXTURE_2D}}, width, height);
+    ids_target_ = gl::make_texture_target({{ids_.get(), GL_TEXTURE_2D}}, width, height);
+    width_ = width;
+    height_ = height;
+    const bool whole = cover_target_.framebuffer && ids_target_.framebuffer;
+    if (!whole) cover_target_.framebuffer.reset();
+    return whole;
+}
+
+std::size_t Picker::bytes() const {
+    return std::size_t{16} * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+}
+
+void Picker::scissor() const {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(region_.left, region_.bottom, region_.width, region_.height);
+}
+
+void Picker::begin(const PixelRect& region) {
+    region_ = region;
+    if (!ids_program_) ids_program_ = gl::covering_program(es_, ids_fragment);
+    clear();
+}
+
+void Picker::clear() {
+    fresh_ = true;
+    glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
+    scissor();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void Picker::whole() {
+    region_ = {0, 0, width_, height_};
+    fresh_ = true;
+    cover();
+}
+
+void Picker::cover() {
+    glBindFramebuffer(GL_FRAMEBUFFER, cover_target_.framebuffer.get());
+    glViewport(0, 0, width_, height_);
+    scissor();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glClearColor(1, 1, 1, 1);
+    glClear(fresh_ ? GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT);
+    fresh_ = false;
+}
+
+void Picker::pass(GLuint program) {
+    glViewport(0, 0, width_, height_);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    if (!es_) gl::beyond::polygon_mode(GL_FILL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glUniform1i(glGetUniformLocation(program, "cover"), 0);
+    gl::draw_covering(cover_.get(), nothing_.get());
+    glUseProgram(0);
+}
+
+void Picker::commit(Index draw) {
+    const Index number = draw + 1;
+    glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
+    glUseProgram(ids_program_.get());
+    const auto byte = [number](int shift) { return static_cast<float>(number >> shift & 255) / 255.0F; };
+    glUniform4f(glGetUniformLocation(ids_program_.get(), "id"), byte(0), byte(8), byte(16), byte(24));
+    pass(ids_program_.get());
+}
+
+std::vector<Index> Picker::read() {
+    const auto count = static_cast<std::size_t>(region_.width) * static_cast<std::size_t>(region_.height);
+    std::vector<std::uint8_t> bytes(4 * count);
+    gl::settle();
+    glBindFramebuffer(GL_FRAMEBUFFER, ids_target_.framebuffer.get());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(region_.left, region_.bottom, region_.width, region_.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    std::vector<Index> draws(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Index number = 0;
+        for (std::size_t k = 4; k-- > 0;) number = number << 8 | bytes[4 * i + k];
+        draws[i] = number - 1;  // of nothing: none
+    }
+    return draws;
+}
+
+void Picker::outline(GLuint framebuffer, float width) {
+    if (!outline_program_) outline_program_ = gl::covering_program(es_, outline_fragment);
+    if (!outline_program_) return;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDisable(GL_SCISSOR_TEST);
+    glUseProgram(outline_program_.get());
+    glUniform1f(glGetUniformLocation(outline_program_.get(), "width"), width);
+    pass(outline_program_.get());
+}
+
+void blend_into_cover(const RasterState& raster) {
+    const bool by_alpha = raster.blend && raster.src == BlendFactor::src_alpha &&
+                          (raster.dst == BlendFactor::one_minus_src_alpha || raster.dst == BlendFactor::one);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, by_alpha ? GL_ONE_MINUS_SRC_ALPHA : GL_ZERO);
+}
+
+}  // namespace runtime
+
+bool Runtime::Impl::ready_picker(int width, int height) {
+    if (width <= 0 || height <= 0) return false;
+    if (!picker) picker = std::make_shared<runtime::Picker>(caps.es);
+    counters.gpu_bytes -= picker->bytes();
+    const bool ready = picker->resize(width, height);
+    counters.gpu_bytes += picker->bytes();
+    take_parts(false);
+    state.forget();
+    if (!caps.es) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    return ready;
+}
+
+void Runtime::Impl::draw_cover(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view, bool depth) {
+    set_up(ready, frame, view);
+    runtime::blend_into_cover(plan.scene.rasters[plan.scene.draws[ready.draw].raster]);
+    if (!depth) glDisable(GL_DEPTH_TEST);
+    draw_mesh(ready);
+    state.forget();
+}
+
+void Runtime::Impl::pick_window(Index pass, const Frame& frame, PassView& view) {
+    const Pass& declared = plan.scene.passes[pass];
+    for (std::size_t i = 0; i < declared.items.size(); ++i) {
+        if (declared.items[i].kind == Item::Kind::clear) {
+            picker->clear();
+        } else if (const auto& item = passes[pass].items[i]; item && !runtime::hidden(frame, item->draw)) {
+            picker->cover();
+            draw_cover(*item, frame, view, true);
+            picker->commit(item->draw);
+        }
+    }
+}
+
+std::vector<Index> Runtime::Impl::pick(const Frame& frame, int width, int height, PixelRect region) {
+    const int right = std::clamp(region.left + region.width, 0, std::max(width, 0));
+    const int top = std::clamp(region.bottom + region.height, 0, std::max(height, 0));
+    region.left = std::clamp(region.left, 0, right);
+    region.bottom = std::clamp(region.bottom, 0, top);
+    region = {region.left, region.bottom, right - region.left, top - region.bottom};
+    if (region.width == 0 || region.height == 0 || !ready_picker(width, height)) return {};
+    const int before = picker->programs();
+    picker->begin(region);
+    PassView view{width, height, plan.scene.background};
+    view.depth = fitted_depth(frame);
+    view.shift = frame.shift;
+    const bool only_window = frame.standing && !redrawn();
+    find_needed(frame, view);
+    for (Index pass = 0; pass < passes.size(); ++pass) {
+        if (!passes[pass].live) continue;
+        if (plan.scene.passes[pass].kind == Pass::Kind::window) {
+            pick_window(pass, frame, view);
+        } else if (due(pass, only_window)) {
+            glDisable(GL_SCISSOR_TEST);
+            if (plan.scene.passes[pass].kind == Pass::Kind::textures)
+                draw_textures(pass, frame);
+            else
+                draw_cube(pass, frame);
+        }
+    }
+    counters.programs_compiled += static_cast<std::uint64_t>(picker->programs() - before);
+    return picker->read();
+}
+
+void Runtime::Impl::outline(const Frame& frame, const Surface& surface, Index draw, float line) {
+    const auto draws = window_draws();
+    const auto found = ranges::find(draws, draw, &runtime::ReadyDraw::draw);
+    if (found == draws.end() || !ready_picker(surface.width, surface.height)) return;
+    const int before = picker->programs();
+    picker->whole();
+    PassView view{surface.width, surface.height, plan.scene.background};
+    view.depth = fitted_depth(frame);
+    view.shift = frame.shift;
+    draw_cover(**found, frame, view, false);
+    picker->outline(surface.framebuffer, line);
+    counters.programs_compiled += static_cast<std::uint64_t>(picker->programs() - before);
 }
 
 }  // namespace snell

@@ -163,7 +163,7 @@ public:
     // there is none left.
     bool find_switched_off();
     // Sliders and check boxes of controls() that are active and yet change nothing that any drawn program computes, as
-    // far as the driver's code tells in about that time (src/runtime/resources/effect.h).
+    // far as the driver's code tells in about that time (src/runtime/resources/program.h).
     std::vector<const Control*> without_effect(double seconds) const;
     // Another number whenever frames are drawn by programs for other values; 0: for any values.
     int form() const;

@@ -4,7 +4,7 @@
 #include "parser/text/ranges.h"
 #include "src/plan/values/declared.h"
 #include "src/runtime/impl.h"
-#include "src/runtime/resources/effect.h"
+#include "src/runtime/resources/program.h"
 
 namespace snell {
 

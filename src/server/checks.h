@@ -1,10 +1,14 @@
 // Diagnostics of the open scenes, in the background: first those that need no driver, after a rest the driver's too.
+// Diagnostics as editors take them: file by file.
 #pragma once
 
 #include <string>
 
+#include "parser/text/diagnostic.h"
 #include "src/content/process.h"
+#include "src/server/documents.h"
 #include "src/server/state.h"
+#include "src/server/wire/lines.h"
 
 namespace snell::server {
 
@@ -36,5 +40,10 @@ private:
     bool driver_ = false;
     Clock::time_point began_;
 };
+
+// An array of {uri, version, diagnostics}, one for each file of the sources; texts that are open have a version. What
+// has no place is said of the beginning of `scene`.
+Json published(const Diagnostics& diagnostics, const Sources& sources, const std::string& scene,
+               const Documents& documents, const Services& services, Encoding encoding);
 
 }  // namespace snell::server

@@ -1,9 +1,14 @@
 #include "src/server/documents.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "parser/text/ranges.h"
+#include "src/language/find.h"
 #include "src/plan/locate.h"
 
 namespace snell::server {
@@ -84,6 +89,89 @@ std::string real_path(const std::string& path) {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::canonical(path, error);
     return error ? path : real.string();
+}
+
+namespace {
+
+void reset(Scene& scene) {
+    scene.project.reset();
+    scene.check = scene.driver = true;
+    scene.failed = false;
+    scene.changed = Clock::now();
+}
+
+}  // namespace
+
+Scene& Workspace::open(const std::string& path, bool alone) {
+    const auto found = ranges::find_if(scenes_, [&](const Scene& s) { return s.path == path && s.alone == alone; });
+    if (found != scenes_.end()) return *found;
+    return scenes_.emplace_front(Scene{path, alone});
+}
+
+const language::Project& Workspace::read(Scene& scene) {
+    if (!scene.project)
+        scene.project = scene.alone ? language::read_shader(scene.path, documents_.access(), language::Depth::plan)
+                                    : language::read_project(scene.path, documents_.access(), language::Depth::plan);
+    return *scene.project;
+}
+
+bool Workspace::has(Scene& scene, const Document& document) {
+    return scene.alone ? scene.path == document.path : read(scene).file_of(document.path).has_value();
+}
+
+// By what is on disk: the texts that are open change with each key, and their own scenes come first.
+const std::string& Workspace::scene_on_disk(const Document& document) {
+    const auto [entry, added] = found_.try_emplace(document.path);
+    if (added && document.path.starts_with('/')) entry->second = language::find_scene(document.path);
+    return entry->second;
+}
+
+void Workspace::arrange() {
+    if (std::exchange(arranged_, true)) return;
+    std::set<const Scene*> used;
+    const auto is_in_one = [&](const Document& document) {
+        return ranges::any_of(scenes_, [&](Scene& s) { return !s.alone && used.contains(&s) && has(s, document); });
+    };
+    for (const auto& [uri, document] : documents_.all())
+        if (document.is_scene()) used.insert(&open(document.path, false));
+    std::vector<const Document*> others;
+    for (const auto& [uri, document] : documents_.all())
+        if (!document.is_scene() && !is_in_one(document)) others.push_back(&document);
+    for (const Document* document : others)
+        if (const std::string& path = scene_on_disk(*document); !path.empty())
+            if (Scene& scene = open(path, false); has(scene, *document)) used.insert(&scene);
+    for (const Document* document : others)
+        if (!is_in_one(*document)) used.insert(&open(document->path, true));
+    const std::size_t before = scenes_.size();
+    scenes_.remove_if([&](const Scene& scene) { return !used.contains(&scene); });
+    dropped_ = dropped_ || scenes_.size() < before;
+}
+
+Scene& Workspace::scene_of(const Document& document) {
+    arrange();
+    const auto own = [&](Scene& s) { return document.is_scene() ? s.path == document.path : has(s, document); };
+    const auto last = std::find_if(scenes_.rbegin(), scenes_.rend(), own);
+    scenes_.splice(scenes_.end(), scenes_, std::prev(last.base()));
+    return scenes_.back();
+}
+
+const language::Project& Workspace::project_of(const Document& document) { return read(scene_of(document)); }
+
+void Workspace::changed(const std::string& path) {
+    arranged_ = false;
+    if (!documents_.with_path(path)) found_.clear();
+    for (Scene& scene : scenes_) {
+        const bool own = scene.path == path;
+        // A file that the scene lacks, or reads as data, may be this one: a name that was not found has no path.
+        if (!own && scene.project && !scene.project->file_of(path) && documents_.with_path(path)) continue;
+        reset(scene);
+    }
+}
+
+void Workspace::rearranged() {
+    arranged_ = false;
+    found_.clear();
+    for (Scene& scene : scenes_) reset(scene);
 }
 
 }  // namespace snell::server

@@ -13,7 +13,6 @@
 #include "src/plan/files.h"
 #include "src/server/documents.h"
 #include "src/server/wire/lines.h"
-#include "src/server/workspace.h"
 
 namespace snell::server {
 

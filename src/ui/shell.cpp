@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "src/plan/gesture.h"
+#include "src/plan/view.h"
 #include "src/ui/help.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/labels.h"

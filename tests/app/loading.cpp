@@ -8,7 +8,7 @@
 #include "src/app/picture/outputs.h"
 #include "src/content/image/noise.h"
 #include "src/plan/plan.h"
-#include "src/runtime/resources/jobs.h"
+#include "src/runtime/resources/textures.h"
 #include "tests/no_more_threads.h"
 #include "tests/scratch.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "src/content/mesh/mesh.h"
-#include "src/content/mesh/obj_reader.h"
+#include "src/content/mesh/obj.h"
 #include "tests/bench/bounds.h"
 
 namespace snell::content {

@@ -7,7 +7,7 @@
 #include "src/app/open/command_text.h"
 #include "src/app/open/snapshots.h"
 #include "src/app/open/write_copy.h"
-#include "src/document/save_values.h"
+#include "src/document/document.h"
 #include "src/plan/setup.h"
 #include "src/plan/values/declared.h"
 #include "tests/cli/run.h"

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "src/content/image/rows.h"
+#include "src/content/image/png_write.h"
 #include "tests/scratch.h"
 
 namespace snell::content {

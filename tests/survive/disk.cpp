@@ -19,7 +19,7 @@
 #include "src/app/open/write_copy.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
-#include "src/document/save_values.h"
+#include "src/document/document.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"
 

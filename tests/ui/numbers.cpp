@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "src/plan/gesture.h"
+#include "src/plan/view.h"
 
 namespace snell::ui {
 namespace {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "src/content/text_forms.h"
-#include "src/document/save_values.h"
-#include "src/plan/gesture.h"
+#include "src/document/document.h"
 #include "src/plan/setup.h"
+#include "src/plan/view.h"
 #include "web/interface/checked.h"
 #include "web/interface/decoded.h"
 #include "web/interface/drawing.h"

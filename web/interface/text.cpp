@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
-#include "src/plan/values/carry.h"
+#include "src/plan/values/controls.h"
 
 namespace snell::web {
 

@@ -26,7 +26,7 @@
 #include "src/app/page/page.h"
 #include "src/app/window/window.h"
 #include "src/content/replace.h"
-#include "src/document/save_values.h"
+#include "src/document/document.h"
 #include "src/gl/caps.h"
 #include "src/plan/locate.h"
 #include "src/plan/setup.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/document/save_values.h"
+#include "src/document/document.h"
 #include "src/plan/files.h"
 
 namespace snell::app {

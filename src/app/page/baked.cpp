@@ -12,7 +12,7 @@
 #include "src/app/open/progress.h"
 #include "src/app/page/encoder.h"
 #include "src/app/picture/picture.h"
-#include "src/plan/values/carry.h"
+#include "src/plan/values/controls.h"
 
 namespace snell::app {
 

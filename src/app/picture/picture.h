@@ -12,7 +12,7 @@
 #include "parser/text/limits.h"
 #include "src/app/picture/tiles.h"
 #include "src/content/image/image.h"
-#include "src/content/image/rows.h"
+#include "src/content/image/png_write.h"
 #include "src/gl/caps.h"
 #include "src/gl/target.h"
 #include "src/plan/files.h"

@@ -11,7 +11,7 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
 #include "src/app/open/write_copy.h"
-#include "src/document/save_values.h"
+#include "src/document/document.h"
 #include "src/plan/objects.h"
 #include "src/ui/kit/numbers.h"
 

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/document/save_values.h"
+#include "src/document/document.h"
 #include "src/plan/setup.h"
 #include "src/plan/values/animate.h"
 #include "src/plan/view.h"

@@ -13,7 +13,6 @@
 #include "src/content/image/formats.h"
 #include "src/content/image/open_module.h"
 #include "src/content/image/png_write.h"
-#include "src/content/image/rows.h"
 #include "src/content/load_module.h"
 #include "src/content/replace.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/content/mesh/obj_reader.h"
+#include "src/content/mesh/obj.h"
 
 namespace snell::content {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "parser/text/number.h"
 #include "parser/text/words.h"
-#include "src/plan/values/carry.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/values/declared.h"
 

@@ -11,7 +11,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
-#include "src/plan/values/carry.h"
 #include "src/plan/values/declared.h"
 
 namespace snell {

@@ -1,5 +1,6 @@
 // The values of uniforms that can be changed while a scene runs. They are plain values, made from the scene and its
 // linked programs; sliders, command-line flags and tests write the same ones.
+// How values are found again in another text: the names of controls, and what a control takes from another one.
 #pragma once
 
 #include <string>
@@ -81,5 +82,15 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
 // Copies the values of `from` to every control that both have (same program name, name and type). `to` keeps its own
 // value if the scene's text changed it, and its own range unless a value outside of it needs the wider one of `from`.
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene);
+
+// "Glass.uEta" for each control, or "Glass#2.uEta" in the second program of that name.
+std::vector<std::string> control_names(const Scene& scene, const Controls& controls);
+
+// Whether a value that the text has changed since follows the text.
+enum class Follow : bool { memory, text };
+
+// Gives a control the value of another one. Its range stays that of the text, unless the text has not changed it, or
+// the value does not follow the text, and the value, outside of it, needs a wider one.
+void take_value(const Control& from, Control& control, Follow follow = Follow::text);
 
 }  // namespace snell

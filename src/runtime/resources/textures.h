@@ -1,7 +1,10 @@
+// Work for all cores, which one thread may watch.
+// Reads the pictures of textures from files, and noise; ahead of their use on all cores, if they are asked for then.
 // Textures on the GPU: each realised when a draw first samples it or a pass renders to it, and only once.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,15 +15,68 @@
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
 #include "src/content/cube/convolve.h"
-#include "src/gl/black.h"
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
 #include "src/plan/identity.h"
+#include "src/plan/plan.h"
 #include "src/runtime/resources/counters.h"
 #include "src/runtime/resources/store.h"
-#include "src/runtime/resources/texture_reader.h"
 
 namespace snell::runtime {
+
+struct Job {
+    std::string name;
+    std::function<void()> work;  // must not throw
+};
+
+// Adds what was said while a job read, but for what was said of the file's name when the scene was planned.
+void say_once(const Diagnostics& said, Diagnostics& diagnostics);
+
+// Does all of them, as many at a time as there are cores. `watcher`, if any, is called on this thread: at first, for
+// each that is done, and in between every now and then, with the name of one that is not done yet.
+void run(const std::vector<Job>& jobs, const Watcher& watcher);
+
+// A texture of the scene, or else noise of 2 or 3 dimensions.
+struct PictureKey {
+    Index texture = none;
+    int noise = 0;
+    auto operator<=>(const PictureKey&) const = default;
+};
+
+// Ready to upload.
+struct ReadPicture {
+    content::Image image;
+    content::CubeFaces faces;  // instead of `image`, for cube maps
+    Diagnostics said;
+    double milliseconds = 0;  // of reading
+};
+
+class TextureReader {
+public:
+    // Both outlive this.
+    TextureReader(const Scene& scene, Files& files) : scene_(&scene), files_(&files) {}
+
+    // Adds a job that reads the picture; take() returns it when the job is done. Does nothing if there is one.
+    void preload(const PictureKey& key, std::vector<Job>& jobs);
+    // Returns a picture that was preloaded, or reads it. Its problems go to `diagnostics`.
+    ReadPicture take(const PictureKey& key, Diagnostics& diagnostics);
+    // The milliseconds that the job of preload() took; 0 if there was none.
+    double milliseconds(const PictureKey& key) const;
+    // The faces of a cube map, which are kept for what is computed from them.
+    const content::CubeFaces& faces(Index texture, Diagnostics& diagnostics);
+    int noise_size(int dimensions) const { return dimensions == 3 ? scene_->noise3d : scene_->noise2d; }
+    // Forgets everything, and returns how many images were decoded since the last time.
+    ImageCache::Stats forget();
+
+private:
+    void read(const PictureKey& key, ReadPicture& into);
+
+    const Scene* scene_;
+    Files* files_;
+    ImageCache images_;
+    std::map<PictureKey, ReadPicture> preloaded_;
+    std::map<Index, content::CubeFaces> faces_;
+};
 
 // Cube maps that are computed from others, as levels to upload.
 

@@ -12,7 +12,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include "src/plan/gesture.h"
+#include "src/plan/view.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/numbers.h"

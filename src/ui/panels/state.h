@@ -13,7 +13,6 @@
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
-#include "src/plan/gesture.h"
 #include "src/plan/values/animate.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"

@@ -11,7 +11,7 @@
 
 #include "src/app/window/measure/refine.h"
 #include "src/document/document.h"
-#include "src/gl/marks.h"
+#include "src/gl/debug.h"
 #include "src/ui/panels/frame_cost.h"
 
 namespace snell {

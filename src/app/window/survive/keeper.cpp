@@ -10,7 +10,7 @@
 #include "src/app/open/write_copy.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
-#include "src/document/save_values.h"
+#include "src/document/document.h"
 #include "src/plan/setup.h"
 #include "src/ui/kit/numbers.h"
 

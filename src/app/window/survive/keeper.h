@@ -15,7 +15,6 @@
 #include "src/app/open/command_text.h"
 #include "src/app/open/snapshots.h"
 #include "src/document/document.h"
-#include "src/document/save_values.h"
 #include "src/plan/plan.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
