@@ -157,8 +157,8 @@ Setup setup_of(const View& view) {
     return setup;
 }
 
-std::size_t apply(const Setup& setup, const Scene& scene, Controls& controls) {
-    std::size_t lost = apply(setup, scene, controls.rungs);
+std::size_t apply_setup(const Setup& setup, const Scene& scene, Controls& controls) {
+    std::size_t lost = apply_setup(setup, scene, controls.rungs);
     const std::vector<std::string> names = control_names(scene, controls);
     std::map<std::string_view, Control*> places;
     for (std::size_t i = 0; i < names.size(); ++i) places.emplace(names[i], &controls.items[i]);
@@ -173,7 +173,7 @@ std::size_t apply(const Setup& setup, const Scene& scene, Controls& controls) {
     return lost;
 }
 
-std::size_t apply(const Setup& setup, const Scene& scene, Rungs& rungs) {
+std::size_t apply_setup(const Setup& setup, const Scene& scene, Rungs& rungs) {
     std::size_t lost = 0;
     Diagnostics ignored;
     for (const auto& [key, value] : setup)
@@ -283,7 +283,7 @@ bool recall(const Remembered& memory, const Scene& scene, Rungs& rungs, Follow f
             const auto written = memory.written.find(setting.first);
             return text == marked.end() || written == memory.written.end() || text->second != written->second;
         });
-    apply(chosen, scene, rungs);
+    apply_setup(chosen, scene, rungs);
     return rungs != before;
 }
 
@@ -377,7 +377,7 @@ std::string parse_view(std::string_view text, View& view) {
     return {};
 }
 
-void apply(const Setup& setup, View& view) {
+void apply_setup(const Setup& setup, View& view) {
     for (const auto& [key, value] : setup) {
         if (key == axes_option) view.axes = value == "on";
         const auto name = name_in(key, view_option);

@@ -35,10 +35,10 @@ Setup changed_setup(const Scene& scene, const Controls& controls);
 Setup setup_of(const View& view);
 
 // Sets what the setup has. Returns the number of values and rungs that the scene does not have, or that do not fit.
-std::size_t apply(const Setup& setup, const Scene& scene, Controls& controls);
+std::size_t apply_setup(const Setup& setup, const Scene& scene, Controls& controls);
 // Only rungs, before the programs are compiled for them.
-std::size_t apply(const Setup& setup, const Scene& scene, Rungs& rungs);
-void apply(const Setup& setup, View& view);
+std::size_t apply_setup(const Setup& setup, const Scene& scene, Rungs& rungs);
+void apply_setup(const Setup& setup, View& view);
 
 // One setting a line, such as "--set Glass.uEta=1.3". Other lines are skipped.
 std::string setup_text(const Setup& setup);

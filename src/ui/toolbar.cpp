@@ -62,10 +62,8 @@ void open_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
 void save_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
     if (!begin_menu("Save \u25BE", "menu.save", layout)) return;
     requests.save |= item({"Save values", "Ctrl+S", "save", facts.changed}, layout);
-    tip("Saves the current values to the scene's file.\nOnly the numbers change.");
+    tip("Saves the current values to the scene's file.\nOnly the numbers change. Ctrl+Z restores the file.");
     requests.save_as |= item({"Save as\u2026", "Ctrl+Shift+S", "save as"}, layout);
-    requests.revert_save |= item({"Revert save", nullptr, "revert save", facts.revertible}, layout);
-    tip("Restores the file as it was before saving.\nSliders and view stay as they are.");
     ImGui::Separator();
     const bool picture = item({"Save picture\u2026", nullptr, "picture"}, layout);
     const bool sequence =

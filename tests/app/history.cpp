@@ -187,7 +187,7 @@ TEST_F(Undo, TheHistoriesThatWereUsedLastAreKept) {
     Histories histories;
     const auto steps = [&](const std::string& name) { return histories.use(name).size(); };
     for (char name = 'z'; name > 'z' - static_cast<char>(Histories::most); --name)
-        histories.use(std::string(1, name)).add(1, {});
+        histories.use(std::string(1, name)).add("snapshot 1", {{"one", "", "1"}});
     EXPECT_EQ(steps("z"), 1U) << "it was used first, and is again";
     histories.use("a");
     EXPECT_EQ(steps("z"), 1U);
@@ -436,7 +436,7 @@ TEST_F(Undo, AnyWayBackGivesTheSameBits) {
 TEST_F(Undo, AReplacedSnapshotComesBackUnlessItsFileChanged) {
     const Scratch folder;
     const std::string file = folder.write("a.snapshots.json", "new");
-    history_.add(3, {file, "old", "new"});
+    history_.add("snapshot 3", {{file, "old", "new"}});
     EXPECT_EQ(undo(), "undo: snapshot 3");
     EXPECT_EQ(bytes_of(file), "old");
     EXPECT_EQ(redo(), "redo: snapshot 3");
@@ -445,7 +445,7 @@ TEST_F(Undo, AReplacedSnapshotComesBackUnlessItsFileChanged) {
     EXPECT_EQ(undo().substr(0, 12), "not undone: ");
     EXPECT_EQ(bytes_of(file), "of someone else");
     const std::string first = folder.write("b.snapshots.json", "first");
-    history_.add(1, {first, "", "first"});
+    history_.add("snapshot 1", {{first, "", "first"}});
     undo();
     EXPECT_FALSE(std::filesystem::exists(first)) << "there was no file before";
 }

@@ -105,7 +105,7 @@ TEST_F(KeptScenes, DamagedOrHugeFilesAreAsNone) {
         Controls controls = make_controls(read, {{uniform}}, ignored);
         recall(read_kept(folder_, one), read, controls, Follow::memory);
         View view;
-        snell::apply(read_kept(folder_, one).chosen, view);
+        apply_setup(read_kept(folder_, one).chosen, view);
         ASSERT_EQ(controls.items[0].value.size(), 3U);
         for (const double number : controls.items[0].value) EXPECT_TRUE(std::isfinite(number)) << text;
         EXPECT_TRUE(std::isfinite(view.scene.rotate_x)) << text;

@@ -178,10 +178,10 @@ TEST_F(Kept, ASetupReadsBackToTheSameBytesAndPicture) {
         const std::string text = setup_text(setup);
         const snell::Setup back = read_setup(text);
         EXPECT_EQ(setup_text(back), text);
-        EXPECT_EQ(apply(back, fresh->scene(), fresh->controls.rungs), 0U);
+        EXPECT_EQ(apply_setup(back, fresh->scene(), fresh->controls.rungs), 0U);
         follow_rungs(*fresh);
-        EXPECT_EQ(apply(back, fresh->scene(), fresh->controls), 0U);
-        snell::apply(back, again);
+        EXPECT_EQ(apply_setup(back, fresh->scene(), fresh->controls), 0U);
+        apply_setup(back, again);
         EXPECT_EQ(again, view);
         snell::Setup given = setup_of(fresh->scene(), fresh->controls);
         given.merge(setup_of(again));
@@ -190,7 +190,7 @@ TEST_F(Kept, ASetupReadsBackToTheSameBytesAndPicture) {
         // Empty values are the view as it begins.
         for (auto& [key, value] : given)
             if (key.starts_with(view_option) || key == axes_option) value.clear();
-        snell::apply(given, again);
+        apply_setup(given, again);
         EXPECT_EQ(again, View{});
     }
 }

@@ -28,7 +28,7 @@ protected:
     void expect_red(double value) const { EXPECT_NEAR(scene_pixel(20, 20).red, std::lround(255 * value), 1); }
 };
 
-TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndAreRevertedAlone) {
+TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndAreUndoneAlone) {
     open("scene.glib");
     drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
     const double slid = red();
@@ -47,14 +47,45 @@ TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndAreRevertedAlone) {
     EXPECT_EQ(red(), slid);
     expect_red(slid);
     EXPECT_EQ(state()["errors"], 0);
-    choose("save", "revert save");
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"] == "undo: save to scene.glib"; })) << state()["notice"];
     EXPECT_EQ(bytes("scene.glib"), scene);
     ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; })) << "the file of before is read";
     settle();
     EXPECT_EQ(red(), slid) << "the slider stays";
     expect_red(slid);
+    user("key ctrl+y");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 4; })) << "and is saved again";
+    EXPECT_EQ(bytes("scene.glib"), after);
+    settle();
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 5; }));
+    settle();
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; })) << "what was before the save";
+    EXPECT_EQ(bytes("scene.glib"), scene);
+}
+
+TEST_F(Keep, AnEditAfterASaveIsNotUndoneWithIt) {
+    open("scene.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const double slid = red();
     choose("save", "save");
-    EXPECT_EQ(bytes("scene.glib"), after) << "and can be saved again";
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    const std::string edited = bytes("scene.glib") + "\n# edited";
+    save("scene.glib", edited);
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; }));
+    settle();
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().find("not undone: ") == 0; }))
+        << state()["notice"];
+    EXPECT_EQ(bytes("scene.glib"), edited);
+    EXPECT_EQ(red(), slid);
+    // Values follow the next edit of the text, as if nothing had been undone.
+    std::string text = edited;
+    const std::size_t at = text.find("uGreen <.1 .4");
+    save("scene.glib", text.replace(at, 13, "uGreen <.1 .7"));
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uGreen"][0] == .7; }));
 }
 
 TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {

@@ -65,14 +65,12 @@ TEST_F(UiKeep, SavingAsksForItOnlyWhereThereIsSomething) {
     EXPECT_FALSE(clicked("save", {}, "save").save);
     frame({key(Key::escape, true)});
     frame({key(Key::escape, false)});
-    facts_.changed = facts_.revertible = true;
+    facts_.changed = true;
     EXPECT_TRUE(clicked("save", {}, "save").save);
-    EXPECT_TRUE(clicked("revert save", {}, "save").revert_save);
     EXPECT_TRUE(pressed(Key::s, {.ctrl = true}).save);
     const Requests as = pressed(Key::s, {.shift = true, .ctrl = true});
     EXPECT_TRUE(as.save_as);
     EXPECT_FALSE(as.save);
-    EXPECT_FALSE(as.revert_save);
 }
 
 TEST_F(UiKeep, UndoAndRedoHaveTheirKeysAndFieldsHaveTheirOwn) {

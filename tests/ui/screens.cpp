@@ -11,7 +11,7 @@ TEST_P(Screens, AreLegible) {
     facts_.file = "refraction-room.glib";
     facts_.renderer = "llvmpipe";
     facts_.frame_ms = 16.66;
-    facts_.changed = facts_.revertible = true;
+    facts_.changed = true;
     facts_.snapshots[3] = true;
     (this->*panel.prepare)();
     panel_widget_ = panel.widget;

@@ -173,7 +173,7 @@ Exit save(const SaveOptions& options) {
         if (diagnostic.severity == Severity::error) said.add(diagnostic);
     said.append(problems);
     fmt::print(stderr, "{}", snell::render(said, document->sources));
-    if (problems.has_errors()) return exit_input;
+    if (said.has_errors()) return exit_input;
 
     const Saved saved = saved_values(*document);
     if (!saved.error.empty()) return complain(exit_input, saved.error);
@@ -184,7 +184,7 @@ Exit save(const SaveOptions& options) {
     } else if (const std::string error = write_saved(saved.files); !error.empty()) {
         return complain(exit_input, error);
     }
-    return said.has_errors() ? exit_input : exit_fine;
+    return exit_fine;
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ Restored restore_snapshot(int number, Document& document) {
     const Json* const snapshot = member(json, std::to_string(number));
     const Json* const options = snapshot ? member(*snapshot, "options") : nullptr;
     if (options && options->is_string())
-        return {{}, apply(read_setup(options->get<std::string>()), document.scene(), document.controls)};
+        return {{}, apply_setup(read_setup(options->get<std::string>()), document.scene(), document.controls)};
     if (json.is_discarded()) return {snapshots_file(document.path) + " cannot be read as JSON"};
     return {snapshot ? fmt::format("snapshot {} has another form: store it again", number)
                      : fmt::format("there is no snapshot {}", number)};

@@ -58,11 +58,12 @@ const std::string& at(const Setup& setup, const std::string& key) {
     return found == setup.end() ? initial : found->second;
 }
 
-std::string exchange(const SavedFile& file, bool forward) {
-    if (forward) return write_saved({file});
-    std::string error = revert_saved({file});
+std::string exchange(const std::vector<SavedFile>& files, bool forward) {
+    if (forward) return write_saved(files);
+    std::string error = revert_saved(files);
     std::error_code none;
-    if (error.empty() && file.before.empty()) std::filesystem::remove(file.path, none);
+    for (const SavedFile& file : files)
+        if (error.empty() && file.before.empty()) std::filesystem::remove(file.path, none);
     return error;
 }
 
@@ -72,7 +73,8 @@ std::size_t History::Step::bytes() const {
     std::size_t sum = sizeof(Step);
     for (const auto& [key, change] : changes)
         sum += sizeof(change) + 2 * key.size() + change.before.size() + change.after.size();
-    return sum + file.before.size() + file.after.size();
+    for (const SavedFile& file : files) sum += file.before.size() + file.after.size();
+    return sum;
 }
 
 // All of the view counts as one.
@@ -84,7 +86,7 @@ bool History::Step::extends(const Step& last) const {
                     ranges::any_of(b.changes, [](const auto& other) { return of_view(other.first); }));
         });
     };
-    return presses == last.presses && time < last.time + one_gesture && last.snapshot == 0 && same(*this, last) &&
+    return presses == last.presses && time < last.time + one_gesture && last.files.empty() && same(*this, last) &&
            same(last, *this);
 }
 
@@ -255,10 +257,10 @@ void History::forget_redo() {
     for (; steps_.size() > done_; steps_.pop_back()) bytes_ -= steps_.back().bytes();
 }
 
-void History::add(int snapshot, SavedFile file) {
+void History::add(std::string what, std::vector<SavedFile> files) {
     Step step;
-    step.snapshot = snapshot;
-    step.file = std::move(file);
+    step.what = std::move(what);
+    step.files = std::move(files);
     push(std::move(step));
     open_ = false;
 }
@@ -278,19 +280,21 @@ std::string History::go(const UserState& state, bool forward) {
 
 std::string History::apply(const Step& step, const UserState& state, bool forward) {
     const char* const done = forward ? "redo: " : "undo: ";
-    if (step.snapshot > 0) {
-        const std::string error = exchange(step.file, forward);
-        return error.empty() ? fmt::format("{}snapshot {}", done, step.snapshot)
-                             : fmt::format("{}{}", forward ? "not redone: " : "not undone: ", error);
+    if (!step.files.empty()) {
+        const std::string error = exchange(step.files, forward);
+        if (!error.empty()) return (forward ? "not redone: " : "not undone: ") + error;
+        for (const SavedFile& file : step.files)
+            if (state.replaced) state.replaced(file.path);
+        return done + step.what;
     }
     Setup wanted;
     for (const auto& [key, change] : step.changes) wanted[key] = change.at(forward);
     const Setup before = all_of(state.scene, state.controls, state.view);
     const Rungs rungs = state.controls.rungs;
-    snell::apply(wanted, state.scene, state.controls.rungs);
+    apply_setup(wanted, state.scene, state.controls.rungs);
     if (state.controls.rungs != rungs) state.follow_rungs();
-    snell::apply(wanted, state.scene, state.controls);
-    snell::apply(wanted, state.view);
+    apply_setup(wanted, state.scene, state.controls);
+    apply_setup(wanted, state.view);
     const std::string said = words_of(step, before, state);
     return said.empty() ? said : done + said;
 }

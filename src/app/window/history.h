@@ -1,5 +1,5 @@
-// Undo and redo of what the user changes in a scene: values with their ranges, rungs, the view, and snapshots that were
-// replaced. Steps name what they change, so they survive reloads and edits of the text.
+// Undo and redo of what the user changes in a scene: values with their ranges, rungs, the view, and the files that a
+// save or a snapshot replaced. Steps name what they change, so they survive reloads and edits of the text.
 #pragma once
 
 #include <cstddef>
@@ -20,14 +20,15 @@
 
 namespace snell {
 
-// What the user changes. `follow_rungs` makes the controls of the rungs that were chosen. What moves is no part of it:
-// the next frame sets it again.
+// What the user changes. `follow_rungs` makes the controls of the rungs that were chosen; `replaced` hears of each file
+// that has another text now. What moves is no part of it: the next frame sets it again.
 struct UserState {
     const Scene& scene;
     Controls& controls;
     View& view;
     std::function<void()> follow_rungs;
     std::span<const Animated> moving = {};
+    std::function<void(const std::string& file)> replaced = {};
 };
 
 // The input that the state results from.
@@ -49,8 +50,8 @@ public:
     // Makes a step of what was changed since the last call, or extends the last step if it changed the same in the same
     // gesture, such as turns of the wheel or repeats of a key. Returns true if there was a change.
     bool follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
-    // Makes a step of a snapshot that was stored, by the file that was replaced.
-    void add(int snapshot, SavedFile file);
+    // Makes a step of files that were replaced. `what` is what undo and redo say, such as "snapshot 3".
+    void add(std::string what, std::vector<SavedFile> files);
 
     // Go one step back, or forward again, and return what was changed, such as "undo: Glass.uEta 1.5 → 1.1". What the
     // scene no longer has is skipped, and so is what an edit of the text already changed to that.
@@ -70,12 +71,12 @@ private:
     };
     struct Step {
         std::map<std::string, Change> changes;  // by the keys of a Setup
-        int snapshot = 0;                       // number of the one that was stored; 0 for none
-        SavedFile file;                         // of the snapshots
+        std::string what;                       // what replaced the files
+        std::vector<SavedFile> files;
         std::uint64_t presses = 0;
         double time = 0;
 
-        bool empty() const { return changes.empty() && snapshot == 0; }
+        bool empty() const { return changes.empty() && files.empty(); }
         std::size_t bytes() const;
         bool extends(const Step& last) const;
         // Returns false if both together change nothing.

@@ -35,7 +35,7 @@ std::string object_key(unsigned index) { return fmt::format("{}object{}", view_o
 void set_view(const Remembered& kept, const Scene& scene, View& view) {
     View found;
     found.axes = view.axes;
-    snell::apply(kept.chosen, found);
+    apply_setup(kept.chosen, found);
     const std::map<unsigned, Transformation> objects = std::exchange(found.objects, {});
     const std::vector<std::string> names = objects.empty() ? std::vector<std::string>{} : object_names(scene);
     for (const auto& [index, transformation] : objects) {
@@ -130,7 +130,10 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
                         const std::function<void()>& follow_rungs) {
     Document* document = session.document();
     if (name_.empty() || !document || requests.undo == requests.redo) return {};
-    const UserState state{document->scene(), document->controls, view, follow_rungs, moving};
+    const UserState state{
+        document->scene(), document->controls, view, follow_rungs, moving, [&](const std::string& file) {
+            session.hold_values(file);
+        }};
     changed_ = true;
     return requests.undo ? history().undo(state) : history().redo(state);
 }

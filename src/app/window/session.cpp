@@ -65,7 +65,7 @@ void Session::choose(const Scene& scene, Rungs& rungs, Diagnostics& refused) {
         carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
         if (hold_values_) recall(remembered(true), scene, rungs, Follow::memory);
     } else if (!by_hand_.empty()) {
-        apply(read_setup(by_hand_), scene, rungs);
+        apply_setup(read_setup(by_hand_), scene, rungs);
     } else {
         choose_first(scene, rungs, refused);
     }
@@ -144,7 +144,7 @@ void Session::carry_values(Document& read) {
     memory_ = remembered();
     if (!std::exchange(recovering_, false)) recall(memory_, read.scene(), read.controls);
     // A broken program has no controls for its values, so they are restored again until nothing is broken.
-    if (!by_hand_.empty()) apply(read_setup(by_hand_), read.scene(), read.controls);
+    if (!by_hand_.empty()) apply_setup(read_setup(by_hand_), read.scene(), read.controls);
     if (!read.diagnostics.has_errors()) by_hand_.clear();
     if (shown_) carry_over(shown_->controls, shown_->scene(), read.controls, read.scene());
     recall(all, read.scene(), read.controls, Follow::memory);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "parser/text/ranges.h"
 #include "src/app/desktop/given_texts.h"
 #include "src/app/desktop/watch.h"
 #include "src/app/window/survive/keeper.h"
@@ -39,8 +40,8 @@ public:
     // Reads the files again. If the new version has errors that the shown one does not have, its problems are shown
     // over the last good picture. Values of controls carry over.
     void reload();
-    // The next reload keeps values and rungs although the text changes them.
-    void hold_values() { hold_values_ = true; }
+    // The next reload keeps values and rungs although the text changes them, if this is a file in use.
+    void hold_values(const std::string& file) { hold_values_ |= ranges::find(files_, file) != files_.end(); }
     // Shows another scene as it is in its file, with the values of `memory`. Returns "", or why the current scene
     // stays.
     std::string open(std::string path, Remembered memory = {});

@@ -152,8 +152,7 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
             keeper_.look_again();
         }
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
-        if (served.reverted) session_.hold_values();
-        if (served.snapshot > 0) past_.add(served.snapshot, std::move(served.file));
+        if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files));
         if (!served.saved_as.empty()) {
             past_.hand_on(session_, served.saved_as, view);
             return saved_as_ = served.saved_as;

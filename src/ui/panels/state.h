@@ -69,7 +69,6 @@ struct Facts {
     std::string_view grain;  // how much coarser the last picture is, because something is dragged; empty if sharp
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
-    bool revertible = false;                           // whether a save of values can be reverted
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
     const AccuracyFacts* accuracy = nullptr;           // set while its panel is open, if there is a reference
     const FoundFacts* found = nullptr;                 // set while the panel of accuracy is open
@@ -134,7 +133,7 @@ struct Memory {
 // What the user requested in this frame, other than changes of Controls or View.
 struct Requests {
     bool reload = false;
-    bool save = false, revert_save = false;
+    bool save = false;
     bool save_as = false, save_as_now = false;  // opens the dialog; saves under the name in SaveAs
     bool save_page = false, save_page_now = false;
     bool undo = false, redo = false;

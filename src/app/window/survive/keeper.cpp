@@ -49,7 +49,6 @@ void save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& serve
 void Keeper::tell(ui::Facts& facts, const Document* document) {
     if (looked_ != facts.revision) look_again();
     looked_ = facts.revision;
-    facts.revertible = !saved_.empty();
     facts.changed = document && document->runtime && changed_values(*document) > 0;
     facts.snapshots = snapshots_;
 }
@@ -58,8 +57,7 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
                              ui::Memory& memory) {
     Served served;
     std::string& notice = memory.notice;
-    if (requests.save) notice = save(document);
-    if (requests.revert_save) notice = revert(served);
+    if (requests.save) notice = save(document, served);
     if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
     if (requests.save_as_now) save_as(document, memory.save_as, served);
     if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
@@ -72,25 +70,19 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
     return served;
 }
 
-std::string Keeper::save(const Document& document) {
+std::string Keeper::save(const Document& document, Served& served) {
     Saved saved = saved_values(document);
     if (saved.error.empty()) saved.error = write_saved(saved.files);
     if (!saved.error.empty()) return "not saved: " + saved.error;
     std::string notice = saved.files.empty() ? "nothing to save" : ui::counted(saved.values, "value") + " saved to";
-    for (const SavedFile& file : saved.files) notice += " " + short_name(file.path);
+    served.what = "save to";
+    for (const SavedFile& file : saved.files) {
+        notice += " " + short_name(file.path);
+        served.what += " " + short_name(file.path);
+    }
     for (const Unwritten& value : saved.unwritten) notice += fmt::format("\nnot {}: {}", value.name, value.reason);
-    if (!saved.files.empty()) saved_.push_back(std::move(saved.files));
+    served.files = std::move(saved.files);
     return notice;
-}
-
-std::string Keeper::revert(Served& served) {
-    if (saved_.empty()) return {};
-    const std::string error = revert_saved(saved_.back());
-    if (!error.empty()) return "not reverted: " + error;
-    const std::string name = short_name(saved_.back().front().path);
-    saved_.pop_back();
-    served.reverted = true;
-    return name + " is as it was before";
 }
 
 std::string Keeper::store(int number, const Document& document, Served& served) {
@@ -98,8 +90,8 @@ std::string Keeper::store(int number, const Document& document, Served& served) 
     const std::string before = content::whole_file(file), error = store_snapshot(number, document);
     look_again();
     if (!error.empty()) return fmt::format("snapshot {} is not in {}: {}", number, short_name(file), error);
-    served.snapshot = number;
-    served.file = {file, before, content::whole_file(file)};
+    served.what = fmt::format("snapshot {}", number);
+    served.files = {{file, before, content::whole_file(file)}};
     return fmt::format("snapshot {} is in {}", number, short_name(file));
 }
 
@@ -132,7 +124,7 @@ Carried read_carried(const std::string& text) {
     if (parts.size() < 4) return carried;
     auto& [width, height] = carried.size;
     std::sscanf(parts[0].c_str(), "%d %d %lf", &width, &height, &carried.time);
-    snell::apply(read_setup(parts[1]), carried.view);
+    apply_setup(read_setup(parts[1]), carried.view);
     carried.recovery.values = parts[2];
     carried.scene = parts[3];
     carried.recovery.files.assign(parts.begin() + 4, parts.end());

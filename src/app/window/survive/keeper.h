@@ -27,15 +27,14 @@ class Keeper {
 public:
     explicit Keeper(std::string scene) : scene_(std::move(scene)) {}
 
-    // Fills in what the panels show: whether values changed, whether a save can be reverted, and the snapshots.
+    // Fills in what the panels show: whether values changed, and the snapshots.
     void tell(ui::Facts& facts, const Document* document);
     // Looks for the snapshots again, after their file may have changed.
     void look_again() { snapshots_ = snapshots_there(scene_); }
     // Results that Workspace and Past need.
     struct Served {
-        bool reverted = false;  // the file is as it was before a save
-        int snapshot = 0;       // number of the one that was stored, in this file; 0 for none
-        SavedFile file;
+        std::string what;  // replaced these files, such as "snapshot 3"
+        std::vector<SavedFile> files;
         std::string saved_as;  // path of the scene that was saved under another name
     };
     // Executes the requests and sets `memory.notice` to their outcome.
@@ -43,12 +42,10 @@ public:
                  ui::Memory& memory);
 
 private:
-    std::string save(const Document& document);
-    std::string revert(Served& served);
+    static std::string save(const Document& document, Served& served);
     std::string store(int number, const Document& document, Served& served);
 
     std::string scene_;
-    std::vector<std::vector<SavedFile>> saved_;  // the latest is last
     std::array<bool, ui::snapshot_count + 1> snapshots_{};
     std::uint64_t looked_ = 0;  // the revision at which the snapshots were last looked for
 };
