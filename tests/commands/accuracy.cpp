@@ -91,7 +91,7 @@ TEST_F(Accuracy, WritesEveryFormat) {
 
 TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
     EXPECT_EQ(run("--size 100x100 --reps 5000 --budget 5 --ladders SHADE --json " + folder.path("r.json"),
-                  "timeout --foreground -s INT 3 "),  // else it comes twice, and the second ends it
+                  "timeout --foreground -s INT 2 "),  // else it comes twice, and the second ends it
               124)                                    // of `timeout`, which waited for the end
         << text("err.txt");
     const auto json = nlohmann::json::parse(text("r.json"));
@@ -122,27 +122,23 @@ TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
 
 // An error that the second rung meets and the first does not, whatever the reference is good for on this machine.
 TEST_F(Accuracy, AdvisesACombinationAndSaysHowToDrawIt) {
-    const std::string quick = "--size 64x64 --reps 7 --budget 4 ";
+    const std::string quick = "--size 32x32 --reps 7 --budget 2 --no-found ";
     ASSERT_EQ(run(quick + "--ladders SHADE --no-time --json " + folder.path("r.json")), 0) << text("err.txt");
     const auto shade = nlohmann::json::parse(text("r.json"))["ladders"][0];
     const auto error = [&](std::size_t rung) { return shade["rungs"][rung]["own"]["light"]["rmse"].get<double>(); };
     ASSERT_GT(error(0), 1.2 * error(1));
     const double between = (error(0) + error(1)) / 2 + shade["reference"]["residual"].get<double>();
-    ASSERT_EQ(run("--size 64x64 --reps 7 --error " + std::to_string(between) + " --budget 10 --json " +
-                  folder.path("r.json") + " --csv " + folder.path("r.csv") + " -o " + folder.path("r.html")),
-              0)
-        << text("out.txt");
+    ASSERT_EQ(run(quick + "--error " + std::to_string(between)), 0) << text("out.txt");
     EXPECT_NE(text("out.txt").find("--ladder SHADE=exact\n"), std::string::npos) << text("out.txt");
-    // A found rung may have no error at all, and then meets any limit of it.
-    for (const char* unmet : {"--within 0.0001ms", "--error 1e-9 --no-found"}) {
+    for (const char* unmet : {"--within 0.0001ms", "--error 1e-9"}) {
         EXPECT_EQ(run(quick + "--time 1.5 " + unmet), 1) << unmet;
         EXPECT_NE(text("out.txt").find("nothing that was measured is; the nearest is SHADE="), std::string::npos);
-        EXPECT_NE(text("out.txt").find(".glib -o picture.png --size 64x64 --time 1.5 --ladder SHADE="),
+        EXPECT_NE(text("out.txt").find(".glib -o picture.png --size 32x32 --time 1.5 --ladder SHADE="),
                   std::string::npos)
             << "the picture that was measured: " << text("out.txt");
     }
     // Three rounds have no interval; what they say is not denied either.
-    EXPECT_EQ(run("--size 64x64 --reps 3 --budget 4 --no-found --within 100s"), 1);
+    EXPECT_EQ(run("--size 32x32 --reps 3 --budget 2 --no-found --within 100s"), 1);
     EXPECT_NE(text("out.txt").find("nothing that was measured surely is; the nearest is SHADE="), std::string::npos)
         << text("out.txt");
     EXPECT_EQ(run("--within soon"), 2);
@@ -155,7 +151,7 @@ TEST_F(Accuracy, ReferenceThatIsNotFiniteIsAnErrorAtItsRung) {
                  "#version 330 compatibility\nin vec3 vN;\nuniform float uZero;\nvoid main() {\n float c = .5;\n#if "
                  "SHADE == SHADE_exact\n c /= uZero;\n#endif\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
     for (const char* what : {"--ladders SHADE --no-time", "--error 0.1", "--save-quality"}) {
-        EXPECT_EQ(run(std::string("--size 64x64 --reps 7 --budget 1 ") + what), 1) << what;
+        EXPECT_EQ(run(std::string("--size 16x16 --reps 7 --budget 1 --no-found ") + what), 1) << what;
         EXPECT_NE(text("err.txt").find("scene.glib:1:22: error: SHADE: the reference is NaN or infinite in "),
                   std::string::npos)
             << text("err.txt");
@@ -182,7 +178,7 @@ TEST_F(Accuracy, BudgetHolds) {
 }
 
 TEST_F(Accuracy, ReportsOfTwoMachinesAreMerged) {
-    ASSERT_EQ(run("--size 64x64 --reps 9 --budget 4 --ladders SHADE --json " + folder.path("a.json")), 0);
+    ASSERT_EQ(run("--size 16x16 --reps 9 --budget 4 --no-found --ladders SHADE --json " + folder.path("a.json")), 0);
     ASSERT_EQ(std::system(("cp " + folder.path("a.json") + " " + folder.path("b.json")).c_str()), 0);
     scene = "--merge " + folder.path("a.json") + " " + folder.path("b.json");
     EXPECT_EQ(run(""), 0) << text("err.txt");
@@ -205,7 +201,7 @@ TEST_F(Accuracy, PresetsAreMeasuredKeptAndSaid) {
     };
     EXPECT_EQ(render("--quality exact", "none.png"), 1) << "nothing was measured yet";
     EXPECT_NE(text("err.txt").find("--save-quality"), std::string::npos) << text("err.txt");
-    ASSERT_EQ(run("--size 64x64 --reps 7 --budget 2 --save-quality"), 0) << text("err.txt");
+    ASSERT_EQ(run("--size 64x64 --reps 7 --budget 2 --no-found --save-quality"), 0) << text("err.txt");
     ASSERT_EQ(render("--quality exact", "exact.png"), 0) << text("err.txt");
     EXPECT_NE(text("err.txt").find("quality exact: SHADE=exact"), std::string::npos) << text("err.txt");
     ASSERT_EQ(render("", "plain.png") + render("--ladder SHADE=exact", "typed.png") +
@@ -239,11 +235,11 @@ TEST_F(Accuracy, AShaderThatDoesNotCompileEndsItAtOnce) {
 
 TEST_F(Accuracy, FoundRungsArePlottedToo) {
     folder.write("lit.frag",
-                 "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = 0.;\n for (int i = 0; i < 200; "
-                 "i++) c += abs(sin(vN.z + float(i))) / 200.;\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
-    ASSERT_EQ(run("--size 32x32 --reps 7 --budget 2 --knobs samples --svg " + folder.path("k.svg")), 0);
+                 "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = 0.;\n for (int i = 0; i < 20; "
+                 "i++) c += abs(sin(vN.z + float(i))) / 20.;\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
+    ASSERT_EQ(run("--size 16x16 --reps 7 --budget 1 --knobs samples --svg " + folder.path("k.svg")), 0);
     EXPECT_NE(
-        run("--size 32x32 --reps 7 --budget 4 --svg " + folder.path("p.svg") + " --markdown " + folder.path("p.md")), 2)
+        run("--size 16x16 --reps 7 --budget 4 --svg " + folder.path("p.svg") + " --markdown " + folder.path("p.md")), 2)
         << text("err.txt");
     const std::string page = text("p.md");
     const std::size_t plot = page.find("![found rungs: error over time](p");
