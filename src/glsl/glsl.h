@@ -43,16 +43,16 @@ struct IncludeText {
 using IncludeReader =
     std::function<std::optional<IncludeText>(std::string_view from, std::string_view name, bool angle)>;
 
-// A uniform that the program's own text declares, and whether drivers will find it active in the linked program.
+// A uniform that the program's own text declares.
 struct DeclaredUniform {
-    enum class Use : std::uint8_t { none, unsure, sure };
     std::string name;       // the scene's, as RenamedUniform::name
     std::string glsl_type;  // "vec3", on which all stages agree
     int array_size = 0;     // 0: no array
     // A number, vector or matrix: no array, structure, sampler or member of a block.
     bool simple = true;
-    std::vector<double> initial;              // of its initialiser; empty: none
-    Use use = Use::unsure;                    // none, sure: only if Options::find_uses
+    std::vector<double> initial;  // of its initialiser; empty: none
+    // A function that main reaches names it. A driver may still find that it changes nothing.
+    bool used = false;
     std::vector<std::string> functions = {};  // that name it, such as "main (fragment)"
     Span span = {};                           // of its name, where it is declared first
 };
@@ -78,7 +78,6 @@ struct Options {
     bool wide_lines = false;
     // gl_FragCoord is that of the whole picture where only a part of it is drawn: `snell_Place` is added.
     bool placed = false;
-    bool find_uses = false;  // DeclaredUniform::use is wanted
     // A number or truth value that is written as a constant: to see what drivers make of its values, never to draw.
     std::optional<Settled> constant;
     int color_outputs = 1;  // render targets at once: gl_FragColor is written to each

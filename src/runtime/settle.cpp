@@ -63,8 +63,8 @@ std::vector<ActiveUniform> Runtime::Impl::general_uniforms(Index program, const 
         // Of an array or a structure, a program for values may need fewer elements or members.
         const bool whole =
             declared.simple || (declared.array_size == 0 && sampler_target(declared.name, declared.glsl_type));
-        if (declared.use == glsl::DeclaredUniform::Use::none || (whole && is_active(declared))) continue;
-        if (declared.use == glsl::DeclaredUniform::Use::sure && whole) {
+        if (!declared.used || (whole && is_active(declared))) continue;
+        if (whole) {
             uniforms.push_back(described(plan.scene.programs[program], declared));
             continue;
         }

@@ -346,9 +346,9 @@ TEST(Controls, AUniformThatIsDeclaredIsNotMistyped) {
     Sources sources;
     const FileId file = sources.add("dir/a.frag", "\nuniform float uD, uW;\n");
     Declared declared{sources, {{{"uD", "float"}, {"uW", "float"}}}};
-    declared.programs[0][0].use = glsl::DeclaredUniform::Use::none;
     declared.programs[0][0].span = {file, 15, 17};
     declared.programs[0][1].functions = {"main (fragment)"};
+    declared.programs[0][1].used = true;
     declared.programs[0][1].span = {file, 19, 21};
     Diagnostics diagnostics;
     make_controls(scene, {{kd}}, diagnostics, &declared);

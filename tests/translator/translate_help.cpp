@@ -34,9 +34,7 @@ void translate_texts(Translated& out, const Texts& texts, const Options& options
         input.reference = {input.file, 0, 0};
         inputs.push_back(input);
     }
-    Options with_uses = options;
-    with_uses.find_uses = true;
-    out.translation = translate(inputs, out.sources, with_uses, out.diagnostics);
+    out.translation = translate(inputs, out.sources, options, out.diagnostics);
 }
 
 Translated translated(const Texts& texts, const Target& target) {

@@ -15,7 +15,8 @@
 
 namespace snell::glsl {
 
-// What a stage computes, as code for a stack machine (src/glsl/run): the light parser writes it while it reads.
+// What a stage computes, as code for a stack machine, which constants are followed through (translate/folding.h): the
+// light parser writes it while it reads.
 
 enum class Op : unsigned char {
     number,     // pushes `number`; `type`

@@ -10,8 +10,7 @@
 #include "parser/text/ranges.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
-#include "src/glsl/run/folding.h"
-#include "src/glsl/run/trial.h"
+#include "src/glsl/translate/folding.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {
@@ -158,17 +157,17 @@ std::string scene_name(const Program& program, const Global& g) {
 bool is_uniform(const Global& g) { return g.qualifiers.storage == Storage::uniform && !g.removed; }
 
 // What is known of the unit's uniforms, by the shader's names.
-std::map<std::string_view, run::Fold> folds(const Program& program, const Unit& u) {
+std::map<std::string_view, folding::Fold> folds(const Program& program, const Unit& u) {
     constexpr System finite[] = {System::timer, System::time, System::resolution, System::mouse, System::harmonics};
     static const std::vector<SystemName> names = system_names();
-    std::map<std::string_view, run::Fold> known;
+    std::map<std::string_view, folding::Fold> known;
     for (const Global& g : u.globals) {
         if (!is_uniform(g)) continue;
         const auto one = ranges::find(program.settled, scene_name(program, g), &Settled::name);
         if (one == program.settled.end()) {
             const auto provided = ranges::find(names, g.name, &SystemName::name);
             if (provided != names.end() && ranges::count(finite, provided->system) > 0)
-                known[g.name] = run::bounded(1e9, 0);
+                known[g.name] = folding::bounded(1e9, 0);
             continue;
         }
         const std::uint64_t bit = std::uint64_t{1} << std::min<std::ptrdiff_t>(one - program.settled.begin(), 63);
@@ -177,8 +176,8 @@ std::map<std::string_view, run::Fold> folds(const Program& program, const Unit& 
             most = std::max(most, std::isfinite(value) ? std::abs(value) : std::numeric_limits<double>::infinity());
         // Of several numbers for a scalar, only how large they are.
         known[g.name] = g.type.scalar() && one->values.size() == 1
-                            ? run::settled_number(g.type.base, one->values[0], bit)
-                            : run::bounded(most, bit);
+                            ? folding::settled_number(g.type.base, one->values[0], bit)
+                            : folding::bounded(most, bit);
     }
     return known;
 }
@@ -188,7 +187,7 @@ std::string mark_call(std::string_view function, std::size_t mark) {
     return std::string(function) + "(" + std::to_string(16 * mark + 1) + ", ";
 }
 
-void write_marks(Unit& u, const run::Decided& decided) {
+void write_marks(Unit& u, const folding::Decided& decided) {
     const auto function = [&](std::size_t n) -> std::string {
         if (!decided.text[n].empty()) return "(true ? " + decided.text[n] + " : ";
         return mark_call(u.marks[n].kind == Mark::Kind::divisor ? "snell_divisor" : "snell_value", n);
@@ -245,7 +244,7 @@ void write_constant(Program& program) {
     for (Unit& u : program.units)
         for (Global& g : u.globals) {
             if (!is_uniform(g) || scene_name(program, g) != constant->name) continue;
-            const std::string text = run::number_text(g.type.base, constant->values[0]);
+            const std::string text = folding::number_text(g.type.base, constant->values[0]);
             if (text.empty() || !g.type.scalar() || !g.new_type.empty()) return program.settled.clear();
             // Constants that index an array out of its bounds, or divide by zero, would be errors.
             g.qualifiers.storage = g.type.integral() ? Storage::plain : Storage::constant;
@@ -260,21 +259,21 @@ void write_constant(Program& program) {
 }
 
 void resolve_marks(Program& program) {
-    std::map<std::string_view, run::Fold> passed;
+    std::map<std::string_view, folding::Fold> passed;
     std::uint64_t from = 0, signs = 0;
     for (const Unit& u : program.units)
-        if (!program.settled.empty()) signs |= run::signs(u, folds(program, u), passed);
+        if (!program.settled.empty()) signs |= folding::signs(u, folds(program, u), passed);
     passed.clear();
     for (Unit& u : program.units) {
         if (!program.options.settle && u.marks.empty()) {
             passed.clear();
             continue;
         }
-        std::map<std::string_view, run::Fold> free;
+        std::map<std::string_view, folding::Fold> free;
         for (const Global& g : u.globals)
             if (is_uniform(g) && g.type.scalar() && program.options.settle)
-                free[g.name] = run::free_number(g.type.base);
-        const run::Decided decided = run::decide(u, folds(program, u), free, signs, passed);
+                free[g.name] = folding::free_number(g.type.base);
+        const folding::Decided decided = folding::decide(u, folds(program, u), free, signs, passed);
         write_marks(u, decided);
         from |= decided.from;
     }
@@ -282,11 +281,9 @@ void resolve_marks(Program& program) {
     std::erase_if(program.settled, [&](const Settled&) { return !(from >> std::min<std::size_t>(n++, 63) & 1); });
 }
 
-// Which uniforms of the texts the linked program will have, as far as that is certain without a driver.
+// Which uniforms the texts declare, and which of them code that runs names.
 
 namespace {
-
-using Use = DeclaredUniform::Use;
 
 // Functions that main may call, by their names.
 std::set<std::string_view> reachable(const Unit& u) {
@@ -327,10 +324,6 @@ void note_functions(const Unit& u, const Global& g, std::vector<std::string>& fu
     }
 }
 
-struct Candidate {
-    bool certain = true, named = false, adapted = false;
-};
-
 DeclaredUniform described(const Program& program, const Unit& u, const Global& g) {
     DeclaredUniform d;
     if (g.name_token >= 0) d.span = u.span(g.name_token);
@@ -348,7 +341,6 @@ DeclaredUniform described(const Program& program, const Unit& u, const Global& g
 
 std::vector<DeclaredUniform> declared_uniforms(Program& program) {
     std::vector<DeclaredUniform> declared;
-    std::vector<Candidate> candidates;
     for (const Unit& u : program.units) {
         const std::set<std::string_view> running = reachable(u);
         for (const Global& g : u.globals) {
@@ -356,14 +348,10 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
             auto known = ranges::find(declared, g.name, &DeclaredUniform::name);
             if (known == declared.end()) {
                 declared.push_back(described(program, u, g));
-                candidates.emplace_back();
                 known = declared.end() - 1;
             }
             note_functions(u, g, known->functions);
-            Candidate& c = candidates[static_cast<std::size_t>(known - declared.begin())];
-            c.certain = c.certain && u.code.whole;
-            c.named = c.named || named(u, running, g);
-            c.adapted = c.adapted || !g.new_type.empty();
+            known->used = known->used || !u.code.whole || named(u, running, g);
         }
         for (const Block& b : u.blocks)
             for (const Member& m : b.members) {
@@ -372,21 +360,11 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
                 DeclaredUniform d{before + std::string(m.name), std::string(m.type.name)};
                 d.array_size = m.type.dims > 0 ? std::max(m.type.size, 0) : 0;
                 d.simple = false;
+                d.used = true;
                 if (ranges::find(declared, d.name, &DeclaredUniform::name) != declared.end()) continue;
                 declared.push_back(std::move(d));
-                candidates.push_back({false, true, true});
             }
     }
-    std::vector<run::Tried> tried;
-    for (std::size_t n = 0; n < declared.size(); ++n) {
-        const Candidate& c = candidates[n];
-        if (c.certain && !c.named) declared[n].use = Use::none;
-        if (c.named && !c.adapted) tried.push_back({declared[n].name, declared[n].simple});
-    }
-    std::set<std::string_view> matter;
-    if (program.options.find_uses) matter = run::that_matter(program.units, tried);
-    for (DeclaredUniform& d : declared)
-        if (matter.contains(d.name)) d.use = Use::sure;
     for (const RenamedUniform& r : program.renamed)
         for (DeclaredUniform& d : declared)
             if (d.name == r.shader_name) d.name = r.name;

@@ -167,7 +167,7 @@ private:
     }
 
     void report_unused(const UniformValue& written, const glsl::DeclaredUniform& declared) {
-        const bool never = declared.functions.empty() && declared.use == glsl::DeclaredUniform::Use::none;
+        const bool never = declared.functions.empty() && !declared.used;
         const std::string_view path = declared_->sources.name(declared.span.file);
         Diagnostic& said = report_unknown(
             written, fmt::format("'{}' is declared in {}:{} {}", written.name, path.substr(path.rfind('/') + 1),

@@ -144,7 +144,6 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.color_outputs = request.variant.outputs;
     // Also for any values: all forms of a program keep the same numbers from being folded.
     options.settle = request.settle ? request.settle : [](const auto&) { return std::vector<glsl::Settled>(); };
-    options.find_uses = request.settle != nullptr;
     if (request.constant) options.settle = nullptr, options.constant = request.constant;
     return glsl::translate(request.stages, request.sources, options, diagnostics);
 }
@@ -233,7 +232,7 @@ std::shared_ptr<LinkedProgram> link_builtin(const Variant& variant, const gl::Ca
 
 namespace {
 
-constexpr std::size_t most_values = 64, most_sliders = 16;
+constexpr std::size_t most_values = 64;
 
 // Calls `number` for every number in the text, without its sign.
 template <class Function>
@@ -359,15 +358,6 @@ std::vector<double> telling_values(const Control& slider, std::string_view text)
 std::vector<const Control*> without_effect(const LinkRequest& request, std::vector<const Control*> sliders,
                                            const Patience& patience) {
     if (sliders.empty() || patience.ended() || !gl::gives_binaries()) return {};
-    Diagnostics unheard;
-    LinkRequest general = request;
-    general.settle = [](const auto&) { return std::vector<glsl::Settled>(); };
-    const glsl::Translation translation = translate(general, unheard);
-    std::erase_if(sliders, [&](const Control* slider) {
-        const auto declared = ranges::find(translation.declared, slider->name, &glsl::DeclaredUniform::name);
-        return declared == translation.declared.end() || declared->use == glsl::DeclaredUniform::Use::sure;
-    });
-    if (sliders.empty() || sliders.size() > most_sliders) return {};
     Code code(request);
     std::erase_if(sliders, [&](const Control* slider) { return !code.same(*slider, patience); });
     return sliders;

@@ -142,8 +142,8 @@ struct Patience {
 };
 
 // Returns those of the sliders for which the driver makes the same code, whichever of these values is a constant in the
-// place of the uniform. Sliders that the translator knows to have an effect are not tried, nor is anything once the
-// patience has ended. Empty as well if the driver does not give its code, or gives it in a form that tells nothing.
+// place of the uniform. Nothing is tried once the patience has ended. Empty as well if the driver does not give its
+// code, or gives it in a form that tells nothing.
 std::vector<const Control*> without_effect(const LinkRequest& request, std::vector<const Control*> sliders,
                                            const Patience& patience);
 

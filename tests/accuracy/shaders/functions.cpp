@@ -1,11 +1,5 @@
-// Polynomials against double precision, and where they are put.
-#include <bit>
-#include <cmath>
-
+// Where polynomials are put, and what moves to the vertex shader.
 #include "src/accuracy/found/shaders/shader.h"
-#include "src/glsl/read/parse.h"
-#include "src/glsl/read/preprocess.h"
-#include "src/glsl/run/machine.h"
 #include "tests/accuracy/shaders/help.h"
 
 namespace snell::accuracy::test {
@@ -13,105 +7,6 @@ namespace {
 
 using enum ChangeKind;
 using Lines = std::vector<std::string>;
-
-// Runs the text of a function, named f, in double precision.
-class Function {
-public:
-    explicit Function(const std::string& text, int parameters) {
-        const std::string main =
-            parameters == 1 ? "void main() { result = f(x); }\n" : "void main() { result = f(x, y); }\n";
-        const FileId file = sources_.add("f", "uniform float x, y;\nout float result;\n" + text + main);
-        glsl::Options options;
-        glsl::preprocess(unit_, file, sources_, options, said_);
-        glsl::Parser(unit_, options.target, said_).run();
-    }
-    double operator()(double x, double y = 0) {
-        glsl::run::Machine machine(unit_);
-        set(machine, "x", x);
-        set(machine, "y", y);
-        std::uint64_t alive = 1;
-        int budget = 10'000;
-        EXPECT_EQ(machine.run(1, -1, alive, budget), glsl::run::Machine::End::done);
-        return machine.variable(variable("result")).get(0, 0);
-    }
-
-private:
-    int variable(std::string_view name) const {
-        for (const glsl::Global& g : unit_.globals)
-            if (g.name == name) return g.variable;
-        return -1;
-    }
-    void set(glsl::run::Machine& machine, std::string_view name, double value) {
-        machine.set(variable(name), 1, [&](int, int) { return value; });
-        machine.variable(variable(name)).given = true;
-    }
-    Sources sources_;
-    Diagnostics said_;
-    glsl::Unit unit_;
-};
-
-double exact(std::string_view function, double x, double y) {
-    if (function == "sin") return std::sin(x);
-    if (function == "cos") return std::cos(x);
-    if (function == "exp") return std::exp(x);
-    if (function == "acos") return std::acos(x);
-    if (function == "asin") return std::asin(x);
-    if (function == "atan") return std::atan(x);
-    return std::atan2(x, y);
-}
-
-TEST(FoundPolynomials, ErrorsAreBelowTheirBoundsAndNotFarBelow) {
-    for (const Polynomial& p : polynomials()) {
-        if (p.function == "half") continue;
-        const bool two = p.function == "atan2";
-        Function f(polynomial_text(p.function, "f", "float"), two ? 2 : 1);
-        double worst = 0;
-        for (int i = 0; i <= 4000; ++i) {
-            // Denser near 0, where arguments are.
-            const double t = i / 4000.;
-            const double x = p.function == "exp" ? -1000 * t * t * t : p.to * std::pow(2 * t - 1, 3);
-            for (const double y : two ? std::vector<double>{-3, -1, -.01, .2, 1, 7} : std::vector<double>{0})
-                worst = std::max(worst, std::abs(f(x, y) - exact(p.function, x, y)));
-        }
-        EXPECT_LT(worst, p.bound) << p.function;
-        EXPECT_GT(worst, p.bound / 3) << p.function << ": a bound that is far too large says nothing";
-    }
-}
-
-TEST(FoundPolynomials, PowersWithConstantExponents) {
-    for (const double exponent :
-         {.1, .25, .4545, .5, .7, 1.2, 1.5, 1.55, 2., 2.2, 2.4, 3., 3.5, 5., 10., 64., 100., 256.}) {
-        const Power power = power_text(exponent, "f", "float");
-        if (power.text.empty()) {
-            EXPECT_EQ(exponent, .1) << "too steep at 0";
-            continue;
-        }
-        Function f(power.text, 1);
-        double worst = 0;
-        for (int i = 0; i <= 2000; ++i) {
-            const double x = std::pow(i / 2000., 3);
-            worst = std::max(worst, std::abs(f(x) - std::pow(x, exponent)));
-        }
-        EXPECT_LE(worst, power.bound == 0 ? 1e-13 : power.bound) << exponent << "\n" << power.text;
-        EXPECT_LT(power.bound, .012) << exponent;
-    }
-    for (const double none : {0., 1., -2., 257., 4.5, 1e30}) EXPECT_EQ(power_text(none, "f", "float").text, "") << none;
-}
-
-TEST(FoundPolynomials, PowersWithAnyExponentFromEight) {
-    const Power power = power_text(std::nullopt, "f", "float");
-    Function f(power.text, 2);
-    double worst = 0;
-    for (const double y : {8., 9.5, 16., 20., 50., 128., 1000.})
-        for (int i = 0; i <= 1000; ++i) {
-            const double x = 1 - std::pow(i / 1000., 3);
-            worst = std::max(worst, std::abs(f(x, y) - std::pow(x, y)));
-        }
-    EXPECT_LT(worst, power.bound);
-    EXPECT_GT(worst, power.bound / 2);
-}
-
-// ---- where they are put -------------------------------------------------------------------------------------
 
 std::string shader(const std::string& statement) {
     return "// A comment stays.\n#version 120\n#extension GL_EXT_gpu_shader4 : enable\nvarying vec3 vN;\nuniform float "

@@ -11,7 +11,7 @@
 
 #include "src/glsl/read/token.h"
 
-namespace snell::glsl::run {
+namespace snell::glsl::folding {
 
 struct Fold {
     // By the text alone.
@@ -58,4 +58,4 @@ Decided decide(const Unit& unit, const std::map<std::string_view, Fold>& settled
                const std::map<std::string_view, Fold>& free, std::uint64_t signs,
                std::map<std::string_view, Fold>& passed);
 
-}  // namespace snell::glsl::run
+}  // namespace snell::glsl::folding

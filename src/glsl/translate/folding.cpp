@@ -1,6 +1,6 @@
 // Constants are followed through the code of a stage without regard to the order of its statements: a variable may be
 // constant if one of its assignments is, and is surely a number if all of them are that number.
-#include "src/glsl/run/folding.h"
+#include "src/glsl/translate/folding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 
-namespace snell::glsl::run {
+namespace snell::glsl::folding {
 
 namespace {
 
@@ -856,4 +856,4 @@ Decided decide(const Unit& unit, const std::map<std::string_view, Fold>& settled
     return out;
 }
 
-}  // namespace snell::glsl::run
+}  // namespace snell::glsl::folding
