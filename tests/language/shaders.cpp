@@ -128,8 +128,7 @@ TEST(SignatureShader, CallsOfTheLanguageAndOfTheText) {
 
 TEST(ShaderTables, EveryFunctionIsDocumentedWithAllItsParameters) {
     for (const glsl::BuiltinFunction& function : glsl::builtin_functions()) {
-        ASSERT_NE(function_doc(function.name), nullptr) << function.name;
-        EXPECT_FALSE(function_doc(function.name)->doc.empty());
+        EXPECT_FALSE(function.doc.empty()) << function.name;
         for (const std::string& signature : function_signatures(function.name)) {
             EXPECT_EQ(signature.find(" ,"), std::string::npos) << signature;
             EXPECT_EQ(signature.find(" )"), std::string::npos) << signature;

@@ -122,7 +122,7 @@ std::string user_name(std::string_view translated, std::string_view user);
 // The same for every name in a message.
 std::string user_words(std::string_view message, std::string_view user);
 
-// The parameters of a GLSL function ("x, y, a"), or empty if there is no such function.
+// The parameters of a GLSL function that always takes as many ("x, y, a"); empty for others.
 std::string_view builtin_parameters(std::string_view function);
 // Names of functions and variables that GLSL itself offers.
 const std::vector<std::string_view>& builtin_names();

@@ -43,10 +43,13 @@ std::string_view modern_texture_function(std::string_view name);
 
 struct BuiltinFunction {
     std::string_view name;
-    std::string_view signatures;       // see builtins.cpp
-    std::string_view parameters = {};  // their names, such as "x, y, a"; empty if no hint mentions the function
+    std::string_view signatures;  // see builtins.cpp
+    std::string_view parameters;  // their names, such as "x, y, a"
+    std::string_view doc;         // what it does, for editors
 };
 std::span<const BuiltinFunction> builtin_functions();
+// Null for other names.
+const BuiltinFunction* builtin_function(std::string_view name);
 // The overloads of a built-in function, as text: "F:FF F:Ff" (see builtins.cpp); empty for others.
 std::string_view builtin_signatures(std::string_view name);
 

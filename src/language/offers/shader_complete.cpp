@@ -182,7 +182,7 @@ private:
     void functions() {
         for (const std::string_view name : function_names(legacy_dialect(o_))) {
             const std::vector<std::string> all = function_signatures(name);
-            const FunctionDoc* doc = function_doc(name);
+            const glsl::BuiltinFunction* doc = function_doc(name);
             add(name, Offer::function, all.empty() ? "" : all.front(), std::string(doc->doc)).rank = 3;
         }
     }

@@ -17,7 +17,7 @@ using Kind = ShaderDeclaration::Kind;
 using What = Named::What;
 
 std::string function_text(std::string_view name) {
-    const FunctionDoc* doc = function_doc(name);
+    const glsl::BuiltinFunction* doc = function_doc(name);
     if (doc == nullptr) return {};
     std::string text = "```glsl\n";
     bool generic = false;
@@ -232,7 +232,7 @@ std::optional<SignatureHelp> shader_signature(Texts& texts, FileId file, std::ui
             help.signatures.push_back(with_parameters(std::move(label), comment_of(there, d.begin, d.end)));
     }
     if (help.signatures.empty()) {
-        const FunctionDoc* doc = function_doc(name);
+        const glsl::BuiltinFunction* doc = function_doc(name);
         if (doc == nullptr) return std::nullopt;
         for (const std::string& label : function_signatures(name))
             help.signatures.push_back(with_parameters(label, std::string(doc->doc)));

@@ -6,16 +6,14 @@
 #include <vector>
 
 #include "parser/scene.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::language {
 
 // ---- functions
 
-struct FunctionDoc {
-    std::string_view name, parameters, doc;
-};
 // Null for other names. Of texture2D and the like: that of `texture`.
-const FunctionDoc* function_doc(std::string_view name);
+const glsl::BuiltinFunction* function_doc(std::string_view name);
 // The overloads as they are declared, such as "genType refract(genType I, genType N, float eta)"; empty for others.
 std::vector<std::string> function_signatures(std::string_view name);
 // All that are offered in a dialect; `legacy`: also texture2D and the like.
