@@ -14,7 +14,7 @@ class FoundBetter : public testing::Test {
 protected:
     // A fragment shader of `body` in main, with a normal and a direction from the eye in world coordinates.
     Found body(std::string_view body, std::string_view values = "", std::string_view scene = "Sphere 1",
-               std::string_view outside = "") {
+               std::string_view outside = "", Finder finder = add_better_changes) {
         const std::string text =
             "#version 330 compatibility\nuniform samplerCube uSky;\nuniform float uEta, uX;\nin "
             "vec3 vN, vE;\n" +
@@ -23,7 +23,7 @@ protected:
             folder_,
             "LookAt 1 2 3  0 0 0  0 1 0\nCubeMap 6 p.hdr\nVertex w.vert\nFragment a.frag\nProgram P uSky 6 " +
                 std::string(values) + "\n" + std::string(scene) + "\n",
-            {{"w.vert", vertex_}, {"a.frag", text}, {"p.hdr", ""}}, add_better_changes);
+            {{"w.vert", vertex_}, {"a.frag", text}, {"p.hdr", ""}}, finder);
     }
     // The line of the shader that begins with `begin`, after the n-th change of the kind.
     static std::string line(const Found& found, ChangeKind kind, std::size_t n, std::string_view begin,
@@ -280,7 +280,7 @@ TEST_F(FoundBetter, ARoomThatIsNear) {
 
 TEST_F(FoundBetter, MoreRounds) {
     const auto rounds = [&](std::string_view statements, std::string_view outside = "") {
-        return body(statements, "", "Sphere 1", outside);
+        return body(statements, "", "Sphere 1", outside, add_shader_changes);
     };
     const Found mean =
         rounds("float s = 0.;\nfor (int i = 0; i < 8; i++) s += sin(float(i) / 8.);\ngl_FragColor = vec4(s / 8.0);\n");
@@ -311,7 +311,8 @@ TEST_F(FoundBetter, MoreRounds) {
 
 TEST_F(FoundBetter, OnlyNumbersOfTheLoopFollowMoreRounds) {
     const auto more = [&](const std::string& statements) {
-        return body("float s = 0., o = 1.;\n" + statements, "", "Sphere 1").text(ChangeKind::more_rounds, 0, "a.frag");
+        return body("float s = 0., o = 1.;\n" + statements, "", "Sphere 1", "", add_shader_changes)
+            .text(ChangeKind::more_rounds, 0, "a.frag");
     };
     const std::string adds = "for (int i = 0; i < 8; i++) s += uX;\n",
                       twice = "for (int i = 0; i < 16; i++) s += uX;\n";
@@ -340,7 +341,7 @@ TEST_F(FoundBetter, OnlyNumbersOfTheLoopFollowMoreRounds) {
 TEST_F(FoundBetter, OnlyNumbersOfTheStepFollowShorterSteps) {
     const auto more = [&](const std::string& inside, const std::string& behind) {
         return body("float s = 0., o = 1.;\nfor (float t = 0.; t < 1.; t += .1) { " + inside + " }\n" + behind + "\n",
-                    "", "Sphere 1")
+                    "", "Sphere 1", "", add_shader_changes)
             .text(ChangeKind::more_rounds, 0, "a.frag");
     };
     for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{

@@ -231,7 +231,8 @@ void add_counter(const Shader& s, int loop, const LoopHeader& header, int node, 
         const int from = first_value(s, header, loop, variable), bound = sides[1 - counting];
         const bool up = less == (counting == 0);
         if (step == 0 || (step > 0) != up) continue;
-        found.push_back({node, up ? bound : from, up ? from : bound, variable, std::abs(step), n.text.size() == 2});
+        found.push_back(
+            {node, up ? bound : from, up ? from : bound, header.step, variable, std::abs(step), n.text.size() == 2});
         return;
     }
 }
@@ -258,7 +259,7 @@ std::vector<Counter> counters(const Shader& shader, int loop) {
         const std::vector<int> sides = shader.parts(n);
         if (test.form != Form::infix || (test.text != ">=" && test.text != ">") || !breaks(shader, test.last)) continue;
         if (variable_of(shader, sides[0]) == first.variable)
-            found.push_back({n, sides[1], first.base, first.variable, first.step, test.text == ">"});
+            found.push_back({n, sides[1], first.base, first.advance, first.variable, first.step, test.text == ">"});
     }
     return found;
 }

@@ -1,4 +1,4 @@
-// Loops that go round less often.
+// Loops that go round less often, or more often.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,9 @@ namespace {
 using glsl::Form;
 using glsl::Node;
 
-// What shrinks: the bound of a loop, or the argument that a function takes for one.
+constexpr double most_rounds = 4096;  // that a loop is given: drivers end long ones
+
+// What is changed: the bound of a loop, or the argument that a function takes for one.
 struct RoundBound {
     int node = -1;    // nodes
     double base = 0;  // where counting begins, if it is known
@@ -44,6 +46,8 @@ public:
             if (s_.at(n).form == Form::loop)
                 for (const Counter& c : counters(s_, n))
                     if (!fills(n, c)) loop(c);
+        for (int n = 0; n < s_.nodes(); ++n)
+            if (s_.at(n).form == Form::loop) more(n);
         std::size_t known = 0;
         do {  // a function may hand its parameter on
             known = parameters_.size();
@@ -109,7 +113,37 @@ private:
         if (!within) bound.where = s_.parent(c.target);
         if (bound.where < 0) return;
         remember(bound.node);
-        for (const int share : {2, 4}) shrink(bound, share);
+        for (const double factor : {.5, .25}) change(bound, factor);
+    }
+
+    // Counts from a number up to one, or by a real one.
+    void more(int loop) {
+        const std::vector<Counter> all = counters(s_, loop);
+        if (all.empty() || emits(loop) || indexes(loop, all.front().variable)) return;
+        const Counter& c = all.front();
+        const Node &test = s_.at(c.comparison), &bound = s_.at(c.target);
+        if (s_.at(c.base).value.size() != 1 || bound.first < test.first || bound.last > test.last) return;
+        const Node& advance = s_.at(c.advance);
+        if (c.step == 1) {
+            const RoundBound rounds{s_.bare(c.target), s_.at(c.base).value.front(), c.comparison, 1, c.includes};
+            for (const double factor : {2., 4.}) change(rounds, factor);
+        } else if (advance.text == "+=") {
+            const int step = s_.parts(c.advance)[1];
+            const Node& n = s_.at(step);
+            if (n.form != Form::number || n.type.base != glsl::Base::real || !s_.own(step)) return;
+            for (const double factor : {2., 4.}) offer(c.comparison, {}, step, s_.span(step), c.step / factor, true);
+        }
+    }
+
+    // Whether an element of an array is read that more rounds may not have.
+    bool indexes(int loop, int variable) const {
+        for (int n = s_.at(loop).begin; n < loop; ++n) {
+            if (s_.at(n).form != Form::index) continue;
+            const int index = s_.parts(n)[1];
+            for (int k = s_.at(index).begin; k <= index; ++k)
+                if (s_.at(k).form == Form::name && s_.at(k).variable == variable) return true;
+        }
+        return false;
     }
 
     // The loop's bound is a parameter of the function: calls decide on it.
@@ -145,140 +179,232 @@ private:
     void call(int node) {
         const int given = argument(node);
         if (given < 0 || s_.library[s_.token(s_.at(node).first).file]) return;
-        for (const int share : {2, 4}) shrink({given, 0, node, 1, false}, share);
+        for (const double factor : {.5, .25}) change({given, 0, node, 1, false}, factor);
     }
 
-    void shrink(const RoundBound& bound, int share) {
+    void change(const RoundBound& bound, double factor) {
         const Node& n = s_.at(bound.node);
         if (!n.type.scalar() || !n.type.numeric() || n.type.base == glsl::Base::dreal) return;
         if (of_ladder(n)) return;
         const bool macro = n.first >= 0 && s_.token(n.first).macro >= 0;
-        if (macro ? definition_of_macro(bound, share) : definition_of_name(bound, share)) return;
+        if (macro ? definition_of_macro(bound, factor) : definition_of_name(bound, factor)) return;
+        if (!macro && n.form == Form::number) return number(bound, factor);
+        if (factor > 1) return;  // how many there are is not known
+        const int share = static_cast<int>(1 / factor);
         if (macro)
             use_of_macro(bound, share);
-        else if (n.form == Form::number)
-            number(bound, share);
         else if (s_.own(bound.node))
             expression(bound, share);
     }
 
-    // The number that bounds as many rounds as the share leaves; nothing if there is none left, or all.
-    static std::optional<double> fewer(const RoundBound& bound, double value, int share) {
-        const double more = bound.includes ? bound.step : 0, all = (value - bound.base + more) / bound.step;
-        const double left = std::floor(all / share);
-        if (!(left >= 1) || !(all < 1e7) || left >= all) return std::nullopt;
-        return bound.base + left * bound.step - more;
+    // The number that bounds `factor` times as many rounds; nothing if that is none, as many as before, or too many.
+    static std::optional<double> other(const RoundBound& bound, double value, double factor) {
+        const double last = bound.includes ? bound.step : 0, all = (value - bound.base + last) / bound.step;
+        const double rounds = std::floor(all * factor);
+        if (!(rounds >= 1) || !(all < 1e7) || rounds == all || (factor > 1 && rounds > most_rounds))
+            return std::nullopt;
+        return bound.base + rounds * bound.step - last;
     }
 
-    void number(const RoundBound& bound, int share) {
+    void number(const RoundBound& bound, double factor) {
         const Node& n = s_.at(bound.node);
-        const std::optional<double> value = fewer(bound, n.value.front(), share);
+        const std::optional<double> value = other(bound, n.value.front(), factor);
         if (!value || !s_.own(bound.node) || !s_.own(bound.where)) return;
-        offer(bound, s_.span(bound.where), s_.span(bound.node), n, *value);
+        offer(bound.where, {}, bound.node, s_.span(bound.node), *value, factor > 1);
     }
 
-    // Offers the value `after` for the number `n`, which stands at `number`. A sum that is divided by the number of
-    // rounds, written as a number, stays a mean.
-    void offer(const RoundBound& bound, Span where, Span number, const Node& n, double after) {
-        const double before = n.value.front();
-        std::vector<Edit> edits{{number, literal(after, n.type)}};
-        int loop = bound.where;
+    // Offers the value `after` for a number that bounds rounds or is the size of a step, and that stands at `place`.
+    // Numbers that follow change with it. `shown`: where the number is defined, if it is not within the loop.
+    void offer(int where, std::optional<Span> shown, int number, Span place, double after, bool more) {
+        const Node& n = s_.at(number);
+        int loop = where;
         while (loop >= 0 && s_.at(loop).form != Form::loop) loop = s_.parent(loop);
-        const std::set<int> summed = loop < 0 ? std::set<int>() : sums(loop);
-        for (int k = 0; k < s_.nodes() && !summed.empty() && before >= 4 && !offers_.full(); ++k) {
-            const Node& other = s_.at(k);
-            if (other.form == Form::number && other.type.base == glsl::Base::real && other.value.size() == 1 &&
-                other.value.front() == before && k != bound.node && s_.own(k) && divides(k, loop, summed))
-                edits.push_back({s_.span(k), literal(after, other.type)});
+        std::vector<Edit> edits{{place, literal(after, n.type)}};
+        std::vector<Span> places{shown ? *shown : more && loop >= 0 ? head(loop) : s_.span(where)};
+        const std::vector<int> follow = loop < 0 ? std::vector<int>() : followers(loop, number, n.value.front());
+        for (const int other : follow) {
+            edits.push_back({s_.span(other), literal(after, s_.at(other).type)});
+            if (more && !shown) places.push_back(edits.back().span);
         }
-        offers_.add(ChangeKind::fewer_rounds, where, std::move(edits));
+        offers_.add(more ? ChangeKind::more_rounds : ChangeKind::fewer_rounds, places, std::move(edits));
     }
 
-    // Variables from outside of the loop that it adds to.
-    std::set<int> sums(int loop) const {
-        std::set<int> found;
+    // The loop's head, for( … ).
+    Span head(int loop) const {
+        const int first = s_.at(loop).first;
+        int last = first + 1;
+        for (int depth = 0; last < s_.at(loop).last; ++last) {
+            if (s_.token(last).text == "(") ++depth;
+            if (s_.token(last).text == ")" && --depth == 0) break;
+        }
+        return s_.own(first, last) ? s_.span(first, last) : s_.span(first, first);
+    }
+
+    // ---- numbers that follow
+
+    // Numbers of that value which are there because of the number of rounds, or of the size of the loop's step.
+    std::vector<int> followers(int loop, int number, double value) {
+        loop_ = loop;
+        sums_.clear();
+        counting_.clear();
+        for (const Counter& c : counters(s_, loop)) counting_.insert(c.variable);
         for (int n = s_.at(loop).begin; n < loop; ++n) {
-            if (s_.at(n).form != Form::assign || s_.at(n).text != "+=") continue;
-            const Node& root = s_.at(s_.at(s_.parts(n)[0]).begin);
-            if (root.form != Form::name || root.variable < 0) continue;
-            const int declared = s_.declarator(root.variable);
-            if (declared < s_.at(loop).begin || declared > loop) found.insert(root.variable);
+            const Node& node = s_.at(n);
+            const std::vector<int> inside = s_.parts(n);
+            if (node.form == Form::declarator && inside.size() == 1 && counts(inside[0]))
+                counting_.insert(node.variable);
+            if (node.form != Form::assign || node.text != "+=") continue;
+            const int sum = s_.at(s_.at(inside[0]).begin).variable;
+            const int declared = sum < 0 ? -1 : s_.declarator(sum);
+            if (sum >= 0 && !counting_.contains(sum) && (declared < s_.at(loop).begin || declared > loop))
+                sums_.insert(sum);
+        }
+        const bool step = s_.at(s_.parent(number)).form == Form::assign && within(number);
+        std::vector<int> found;
+        for (int k = 0; k < s_.nodes() && !offers_.full(); ++k) {
+            const Node& n = s_.at(k);
+            if (n.form == Form::number && n.type.numeric() && n.value.size() == 1 && n.value.front() == value &&
+                k != number && s_.own(k) && (step ? scales(k) : divides(k)))
+                found.push_back(k);
         }
         return found;
     }
 
-    // The sum that the value is, or a multiple of it; -1: none.
-    int sum_of(int node, const std::set<int>& summed) const {
-        const Node& n = s_.at(s_.bare(node));
-        const std::vector<int> inside = s_.parts(s_.bare(node));
-        if (n.form == Form::name) return summed.contains(n.variable) ? n.variable : -1;
-        if (n.form == Form::select || n.form == Form::index) return sum_of(inside[0], summed);
-        if (n.form != Form::infix || (n.text != "*" && n.text != "/")) return -1;
-        const int left = sum_of(inside[0], summed);
-        return left >= 0 || n.text == "/" ? left : sum_of(inside[1], summed);
+    bool within(int node) const { return s_.at(loop_).begin <= node && node < loop_; }
+    bool product(int node) const {
+        return node >= 0 && s_.at(node).form == Form::infix && (s_.at(node).text == "*" || s_.at(node).text == "/");
+    }
+    bool assigns(int node, std::string_view a, std::string_view b) const {
+        return node >= 0 && s_.at(node).form == Form::assign && (s_.at(node).text == a || s_.at(node).text == b);
+    }
+    // What the value is in, brackets and constructors aside; -1: nothing.
+    int outside(int node) const {
+        do node = s_.parent(node);
+        while (node >= 0 && (s_.at(node).form == Form::group || s_.at(node).form == Form::construct));
+        return node;
+    }
+    // The value within brackets, and within constructors of nothing else.
+    int plain(int node) const {
+        while (true) {
+            node = s_.bare(node);
+            const std::vector<int> inside = s_.parts(node);
+            if (s_.at(node).form != Form::construct || inside.size() != 1) return node;
+            node = inside.front();
+        }
     }
 
-    // Whether the number divides a sum of the loop: behind it, where nothing else was stored in the sum since, or what
-    // the loop adds to it.
-    bool divides(int number, int loop, const std::set<int>& summed) const {
-        const auto outside = [&](int node) {
-            int up = s_.parent(node);
-            while (up >= 0 && s_.at(up).form == Form::group) up = s_.parent(up);
-            return up;
-        };
-        const auto is = [&](int node, Form form, std::string_view a, std::string_view b) {
-            return node >= 0 && s_.at(node).form == form && (s_.at(node).text == a || s_.at(node).text == b);
-        };
-        const int division = outside(number);
-        if (!is(division, Form::infix, "/", "/") && !is(division, Form::assign, "/=", "/=")) return false;
-        const std::vector<int> sides = s_.parts(division);
-        if (s_.bare(sides[1]) != number) return false;
-        int sum = sum_of(sides[0], summed), top = division;
-        while (is(outside(top), Form::infix, "*", "/")) {  // s * (1. / 16.)
-            top = outside(top);
-            if (sum < 0) sum = sum_of(s_.parts(top)[0], summed);
+    // Whether the value is a number of the counter: without calls, which may do anything.
+    bool counts(int node) const {
+        bool counter = false;
+        for (int k = s_.at(node).begin; k <= node; ++k) {
+            const Form form = s_.at(k).form;
+            if (form == Form::call || form == Form::built_in || form == Form::index) return false;
+            counter = counter || (form == Form::name && counting_.contains(s_.at(k).variable));
         }
-        const int stored = outside(top);
-        const bool plain = s_.at(division).form == Form::infix;
-        if (s_.at(loop).begin <= division && division < loop)
-            return plain && is(stored, Form::assign, "+=", "+=") && sum_of(s_.parts(stored)[0], summed) >= 0;
-        if (sum < 0 && is(stored, Form::assign, "*=", "*=")) sum = sum_of(s_.parts(stored)[0], summed);
-        const int first = s_.at(stored >= 0 && s_.at(stored).form == Form::assign ? stored : top).first;
-        if (sum < 0 || first <= s_.at(loop).last) return false;
-        return std::none_of(s_.uses(sum).begin(), s_.uses(sum).end(), [&](int use) {
-            return s_.written(use) && s_.at(use).first > s_.at(loop).last && s_.at(use).first < first;
-        });
+        return counter;
     }
+
+    // The sum that the value is, or a multiple of it; -1: none.
+    int sum_of(int node) const {
+        node = plain(node);
+        const Node& n = s_.at(node);
+        const std::vector<int> inside = s_.parts(node);
+        if (n.form == Form::name) return sums_.contains(n.variable) ? n.variable : -1;
+        if (n.form == Form::select || n.form == Form::index) return sum_of(inside[0]);
+        if (!product(node)) return -1;
+        const int left = sum_of(inside[0]);
+        return left >= 0 || n.text == "/" ? left : sum_of(inside[1]);
+    }
+
+    // The products that the node is in, innermost first, and what these are in.
+    struct Products {
+        std::vector<int> nodes;
+        int stored = -1;
+    };
+    Products products(int node) const {
+        Products found;
+        for (found.stored = outside(node); product(found.stored); found.stored = outside(found.stored))
+            found.nodes.push_back(found.stored);
+        return found;
+    }
+
+    // Whether a factor of these products multiplies a sum of the loop, behind it, where nothing else was stored in the
+    // sum since.
+    bool of_sum(const Products& all) const {
+        int sum = -1;
+        for (const int node : all.nodes)
+            if (sum < 0) sum = sum_of(s_.parts(node)[0]);
+        for (const int node : all.nodes)
+            if (sum < 0 && s_.at(node).text == "*") sum = sum_of(s_.parts(node)[1]);
+        if (sum < 0 && assigns(all.stored, "*=", "/=")) sum = sum_of(s_.parts(all.stored)[0]);
+        const bool is_stored = all.stored >= 0 && s_.at(all.stored).form == Form::assign;
+        if (sum < 0 || (!is_stored && all.nodes.empty())) return false;
+        const int first = s_.at(is_stored ? all.stored : all.nodes.back()).first, end = s_.at(loop_).last;
+        return first > end && std::none_of(s_.uses(sum).begin(), s_.uses(sum).end(), [&](int use) {
+                   return s_.written(use) && s_.at(use).first > end && s_.at(use).first < first;
+               });
+    }
+
+    // The number of rounds: it divides the counter, what the loop adds up, or the sum behind it.
+    bool divides(int number) const {
+        const Products all = products(number);
+        const int division = all.nodes.empty() ? all.stored : all.nodes.front();
+        const bool divisor = product(division) && s_.at(division).text == "/";
+        if (!divisor && !assigns(division, "/=", "/=")) return false;
+        if (plain(s_.parts(division)[1]) != number) return false;
+        if (!within(number)) return of_sum(all);
+        if (!divisor) return false;
+        for (const int node : all.nodes)
+            if (counts(s_.parts(node)[0]) || (s_.at(node).text == "*" && counts(s_.parts(node)[1]))) return true;
+        return assigns(all.stored, "+=", "+=") && sum_of(s_.parts(all.stored)[0]) >= 0;
+    }
+
+    // The size of a step: a factor of what each round adds, of an exponent of what it multiplies, or of the sum.
+    bool scales(int number) const {
+        const Products all = products(number);
+        for (const int node : all.nodes)
+            if (s_.at(node).text == "/" && plain(s_.parts(node)[1]) == number) return false;
+        if (!within(number)) return of_sum(all);
+        int around = all.stored;
+        if (around >= 0 && s_.at(around).form == Form::prefix && s_.at(around).text == "-") around = outside(around);
+        const bool exponent = around >= 0 && s_.at(around).form == Form::built_in &&
+                              (s_.at(around).text == "exp" || s_.at(around).text == "exp2");
+        return exponent || assigns(around, "+=", "-=");
+    }
+
+    // ---- where a number is defined
 
     // A constant, or a local that nothing assigns later: where it is declared, so that the size of a step follows the
     // number of steps.
-    bool definition_of_name(const RoundBound& bound, int share) {
+    bool definition_of_name(const RoundBound& bound, double factor) {
         const Node& n = s_.at(bound.node);
         if (n.form != Form::name || n.variable < 0 || sizes_.contains(n.text)) return false;
         const int declared = s_.declarator(n.variable);
         if (declared < 0) return false;
         const std::vector<int> inside = s_.parts(declared);
         if (inside.size() != 1 || !s_.own(declared)) return false;
-        if (!s_.at(declared).constant) return local(bound, declared, inside[0], share);
+        if (!s_.at(declared).constant) return local(bound, declared, inside[0], factor);
         const Node& number = s_.at(inside[0]);
         if (number.form != Form::number) return false;
-        if (const auto value = fewer(bound, number.value.front(), share))
-            offer(bound, s_.span(declared), s_.span(inside[0]), number, *value);
+        if (const auto value = other(bound, number.value.front(), factor))
+            offer(bound.where, s_.span(declared), inside[0], s_.span(inside[0]), *value, factor > 1);
         return true;
     }
 
-    bool local(const RoundBound& bound, int declared, int begins, int share) {
+    bool local(const RoundBound& bound, int declared, int begins, double factor) {
         const Node& n = s_.at(begins);
         const std::vector<int>& uses = s_.uses(s_.at(bound.node).variable);
         const bool assigned = std::any_of(uses.begin(), uses.end(), [&](int use) { return s_.written(use); });
         if (assigned || s_.function_of(s_.at(declared).first) < 0 || n.type.base != s_.at(bound.node).type.base)
             return false;
-        if (n.value.size() == 1 && n.value.front() < share) return true;
+        const double rounds = n.value.size() == 1 ? std::floor(n.value.front() * factor) : 1;
+        if (rounds < 1 || rounds > most_rounds) return true;
         const std::string text = closed(n) ? s_.text(begins) : "(" + s_.text(begins) + ")";
         if (n.form == Form::number)
-            offer(bound, s_.span(declared), s_.span(begins), n, std::floor(n.value.front() / share));
-        else
-            offers_.add(ChangeKind::fewer_rounds, s_.span(declared), {{s_.span(begins), divided(text, n, share)}});
+            offer(bound.where, s_.span(declared), begins, s_.span(begins), rounds, factor > 1);
+        else if (factor < 1)
+            offers_.add(ChangeKind::fewer_rounds, s_.span(declared),
+                        {{s_.span(begins), divided(text, n, static_cast<int>(1 / factor))}});
         return true;
     }
 
@@ -297,19 +423,19 @@ private:
         return s_.unit.invocations[at(macro)].source;
     }
 
-    bool definition_of_macro(const RoundBound& bound, int share) {
+    bool definition_of_macro(const RoundBound& bound, double factor) {
         const Node& n = s_.at(bound.node);
         const std::string_view name = macro_of(n);
         if (name.empty() || n.form != Form::number || sizes_.contains(name)) return false;
         const auto [known, fresh] = definitions_.try_emplace(s_.token(n.first).text.data());
         if (fresh) known->second = definition(name, s_.token(n.first).text);
         const std::optional<Span>& place = known->second;
-        const auto value = fewer(bound, n.value.front(), share);
+        const auto value = other(bound, n.value.front(), factor);
         if (!place) return false;
         if (!value) return true;
         const std::string_view all = s_.sources.text(place->file);
         const std::uint32_t line = static_cast<std::uint32_t>(all.rfind('\n', place->begin) + 1);
-        offer(bound, {place->file, line, place->end}, *place, n, *value);
+        offer(bound.where, Span{place->file, line, place->end}, bound.node, *place, *value, factor > 1);
         return true;
     }
 
@@ -318,8 +444,8 @@ private:
         const std::string_view name = macro_of(n);
         const glsl::Token& t = s_.token(n.first);
         const bool word = !name.empty() && name.find_first_of("( \t\n") == std::string_view::npos;
-        const bool fewer_left = n.value.size() != 1 || fewer(bound, n.value.front(), share);
-        if (!word || !closed(n) || s_.library[t.file] || !fewer_left) return;
+        const bool fewer = n.value.size() != 1 || other(bound, n.value.front(), 1. / share);
+        if (!word || !closed(n) || s_.library[t.file] || !fewer) return;
         const auto begin = t.offset, end = begin + static_cast<std::uint32_t>(name.size());
         const Span use{s_.files[t.file], begin, end};
         if (s_.text(use) == name)
@@ -406,10 +532,13 @@ private:
     std::set<std::pair<int, std::size_t>> parameters_;        // of functions: they bound loops
     std::set<std::string_view> sizes_;                        // of arrays: the text has, or writes, as many values
     std::map<const char*, std::optional<Span>> definitions_;  // of macros, by their numbers
+    int loop_ = -1;                                           // whose numbers follow
+    std::set<int> sums_,
+        counting_;  // variables: that the loop adds to from outside; its counter, and what is made of it
 };
 
 }  // namespace
 
-void add_fewer_rounds(const Shader& shader, Offers& offers) { Rounds(shader, offers).run(); }
+void add_rounds(const Shader& shader, Offers& offers) { Rounds(shader, offers).run(); }
 
 }  // namespace snell::accuracy

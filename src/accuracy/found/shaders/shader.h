@@ -86,6 +86,7 @@ private:
 struct Counter {
     int comparison = -1;         // nodes
     int target = -1, base = -1;  // target: the bound, or the initial value where it counts down
+    int advance = -1;            // ++, +=, …
     int variable = -1;           // Code::variables
     double step = 1;
     bool includes = false;  // <= or >=
@@ -144,7 +145,7 @@ private:
     std::map<Index, std::optional<std::array<double, 4>>> known_;
 };
 
-void add_fewer_rounds(const Shader& shader, Offers& offers);
+void add_rounds(const Shader& shader, Offers& offers);
 void add_lower_levels(const Shader& control, Offers& offers);
 void add_shorter_sums(const Shader& fragment, Offers& offers);
 // `elsewhere`: files that stages other than the fragment stage read, too.

@@ -86,7 +86,7 @@ void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::v
         const auto large = [](const auto& shader) { return shader->unit.tokens.size() > most_tokens; };
         if (ranges::any_of(stages, large)) continue;
         for (const auto& shader : stages) {
-            add_fewer_rounds(*shader, offers);
+            add_rounds(*shader, offers);
             if (shader->unit.stage == Stage::tess_control) add_lower_levels(*shader, offers);
             if (!shader->fragment()) continue;
             add_shorter_sums(*shader, offers);

@@ -207,10 +207,7 @@ private:
 }  // namespace
 
 void add_physics(const Plan& plan, const Shaders& shaders, const std::vector<Span>& eye_space, Collector& to) {
-    for (const Shader& shader : shaders) {
-        add_more_rounds(shader, to);
-        Fresnel(shader, to).run();
-    }
+    for (const Shader& shader : shaders) Fresnel(shader, to).run();
     add_surroundings(plan.scene, shaders, eye_space, to);
 }
 

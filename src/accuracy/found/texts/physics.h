@@ -5,11 +5,8 @@
 
 namespace snell::accuracy::texts {
 
-// More rounds of loops, and exact Fresnel equations for Schlick's formula; then add_surroundings.
+// Exact Fresnel equations for Schlick's formula; then add_surroundings.
 void add_physics(const Plan& plan, const Shaders& shaders, const std::vector<Span>& eye_space, Collector& to);
-
-// Of loops that count from a number to a constant, and of those whose step is a number.
-void add_more_rounds(const Shader& shader, Collector& to);
 
 // Both interfaces of balls of glass, and rooms that are near. `eye_space`: lookups by directions in eye coordinates,
 // which no room can mend.

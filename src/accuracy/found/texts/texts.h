@@ -122,11 +122,9 @@ struct Piece {
     std::vector<int> loops;  // indices into Body::loops, outermost first
 };
 struct Loop {
-    int word = -1;                // for, while, do
-    int open = -1, close = -1;    // brackets of the head
-    int first = -1, last = -1;    // body
-    Tree start, condition, step;  // of `for`
-    std::string_view counter;     // declared or assigned in the head
+    int word = -1;              // for, while, do
+    int open = -1, close = -1;  // brackets of the head
+    int first = -1, last = -1;  // body
 };
 struct Body {
     const glsl::Function* function = nullptr;

@@ -249,24 +249,6 @@ private:
         loop.close = matching(loop.open);
         loop.first = loop.close + 1;
         loop.last = loop.first < end_ ? statement_end(loop.first) : end_;
-        if (text(word) == "for") {
-            const int first = semicolon(loop.open + 1), second = first < loop.close ? semicolon(first + 1) : first;
-            int start = loop.open + 1;
-            if (declares(start) && start + 1 < first) {
-                while (glsl::is_qualifier(text(start))) ++start;
-                loop.counter = text(start + 1);
-                if (text(start + 2) == "=") loop.start = expression(u_, expressions_, start + 3);
-            } else if (text(start + 1) == "=") {
-                loop.counter = text(start);
-                loop.start = expression(u_, expressions_, start + 2);
-            }
-            if (second < loop.close) {
-                loop.condition = expression(u_, expressions_, first + 1);
-                loop.step = expression(u_, expressions_, second + 1);
-            }
-        } else {
-            loop.condition = expression(u_, expressions_, loop.open + 1);
-        }
         const int body = loop.close + 1;
         body_.loops.push_back(std::move(loop));
         return body;
