@@ -1,13 +1,13 @@
 #include "src/accuracy/advice.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
 
 #include "parser/text/ranges.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell::accuracy {
 
@@ -92,9 +92,7 @@ public:
     }
 
 private:
-    double left() const {
-        return options_.seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
+    double left() const { return options_.seconds - 1e-3 * watch_.milliseconds(); }
 
     const SweepResult& measure_all(std::vector<Rungs> all, double seconds) {
         MeasureOptions measuring = options_;
@@ -139,7 +137,7 @@ private:
     Rungs now_;
     const MeasureOptions& options_;
     Counsel counsel_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    runtime::Stopwatch watch_;
 };
 
 }  // namespace

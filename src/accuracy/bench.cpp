@@ -1,11 +1,9 @@
 #include "src/accuracy/bench.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/reference.h"
-#include "src/accuracy/rounds.h"
 #include "src/gl/present.h"
 #include "src/glsl/read/lexer.h"
 #include "src/plan/texts.h"
@@ -59,30 +57,6 @@ Plan with_output(Plan plan) {
 
 }  // namespace
 
-std::string_view name(ClockKind clock) {
-    switch (clock) {
-        case ClockKind::cpu:
-            return "process CPU time";
-        case ClockKind::gpu:
-            return "GPU timer query";
-        case ClockKind::wall:
-            return "wall clock";
-    }
-    return "";
-}
-
-double chosen(const Times& times, ClockKind clock) {
-    switch (clock) {
-        case ClockKind::cpu:
-            return times.cpu;
-        case ClockKind::gpu:
-            return times.gpu;
-        case ClockKind::wall:
-            return times.wall;
-    }
-    return times.wall;
-}
-
 struct Bench::Stage {
     PlanKnobs knobs;
     Diagnostics diagnostics;
@@ -94,7 +68,12 @@ struct Bench::Stage {
 };
 
 Bench::Bench(Plan plan, Files& files, Sources& sources, const gl::Caps& caps, BenchSettings settings)
-    : plan_(std::move(plan)), files_(&files), sources_(&sources), caps_(caps), settings_(std::move(settings)) {
+    : plan_(std::move(plan)),
+      files_(&files),
+      sources_(&sources),
+      caps_(caps),
+      settings_(std::move(settings)),
+      clock_(caps.software) {
     directions_ = ranges::any_of(
         plan_.programs, [&](const PlannedProgram& p) { return any_stage_names(p, sources, files, output_ladder()); });
 }
@@ -205,47 +184,19 @@ std::optional<Picture> Bench::directions(const Variant& variant) {
     return Picture{settings_.width, settings_.height, into_->read(false)};
 }
 
-Times Bench::timed(int frames) {
-    gl::finish();
-    const bool query = !caps_.software && query_.available();
-    if (query) query_.begin();
-    const double cpu = cpu_milliseconds(), wall = wall_milliseconds();
-    for (int i = 0; i < frames; ++i) {
-        draw(nullptr);
-        gl::finish();
-    }
-    Times times{cpu_milliseconds() - cpu, wall_milliseconds() - wall, 0};
-    if (query) times.gpu = query_.end();
-    return {times.cpu / frames, times.wall / frames, times.gpu / frames};
-}
-
 std::optional<double> Bench::warm_up(const Variant& variant, ClockKind clock) {
     if (!ready(variant, false)) return std::nullopt;
-    double last = 0;
-    for (int i = 0; i < 5; ++i) {
-        const double now = chosen(timed(1), clock);
-        const bool steady = i > 0 && std::abs(now - last) < .2 * last;
-        last = now;
-        if (steady || now > 2000) break;
-    }
-    return last;
+    return clock_.warm_up([this] { draw(nullptr); }, clock);
 }
 
 Times Bench::time(const Variant& variant, double at_least) {
     ready(variant, false);
-    const Times first = timed(1);  // other variants drew in the meantime, so caches and cube maps are in their state
-    if (first.wall > 500) return first;
-    const int frames = std::clamp(static_cast<int>(std::ceil(at_least / std::max(first.wall, .01))), 1, 100);
-    return timed(frames);
+    return clock_.sample([this] { draw(nullptr); }, at_least);
 }
 
 ClockKind Bench::choose_clock(const Variant& variant) {
-    if (caps_.software) return ClockKind::cpu;
-    if (!query_.available() || !warm_up(variant, ClockKind::wall)) return ClockKind::wall;
-    const Times one = timed(1);
-    const Times heavy = timed(std::clamp(static_cast<int>(200 / std::max(one.wall, .01)), 1, 1000));
-    query_over_wall_ = heavy.wall > 0 ? heavy.gpu / heavy.wall : 0;
-    return query_over_wall_ >= .8 && query_over_wall_ <= 1.2 ? ClockKind::gpu : ClockKind::wall;
+    if (caps_.software || !warm_up(variant, ClockKind::wall)) return clock_.plain();
+    return clock_.choose([this] { draw(nullptr); });
 }
 
 }  // namespace snell::accuracy

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "src/accuracy/frame_clock.h"
 #include "src/accuracy/metrics.h"
 #include "src/gl/target.h"
 #include "src/plan/knobs.h"
@@ -23,18 +24,6 @@ struct Variant {
 
 // Called between frames; returns true to stop.
 using Stop = std::function<bool()>;
-
-// The time of one frame, in milliseconds. `gpu` is 0 if there is no timer query, or its use is not allowed.
-struct Times {
-    double cpu = 0, wall = 0, gpu = 0;
-};
-
-// The clock whose times are used.
-enum class ClockKind { cpu, gpu, wall };
-// The name for reports, such as "wall clock".
-std::string_view name(ClockKind clock);
-// The time by that clock.
-double chosen(const Times& times, ClockKind clock);
 
 struct BenchSettings {
     int width = 512, height = 512;
@@ -83,18 +72,13 @@ public:
     // Draws the directions in which the shaders look up the environment; returns nullopt if the context cannot draw it.
     std::optional<Picture> directions(const Variant& variant);
 
-    // Compiles, loads and draws until two consecutive frames differ by less than a fifth, at most five times. Returns
-    // the milliseconds of the last frame, or nullopt if the variant cannot be drawn.
+    // Compiles, loads, and draws as FrameClock::warm_up. Returns nullopt if the variant cannot be drawn.
     std::optional<double> warm_up(const Variant& variant, ClockKind clock);
-    // Draws one frame that is not timed, then frames until `at_least` milliseconds have passed, and returns the time
-    // per frame. warm_up must have succeeded.
+    // As FrameClock::sample. warm_up must have succeeded.
     Times time(const Variant& variant, double at_least);
-
-    // Chooses the clock. On software renderers it is the process's CPU time. On others it is the timer queries if they
-    // agree with wall time within a fifth under a heavy load of frames of `variant`, otherwise wall time.
-    // query_over_wall() returns the measured ratio; 0 if it was not measured.
+    // As FrameClock::choose, by frames of `variant`.
     ClockKind choose_clock(const Variant& variant);
-    double query_over_wall() const { return query_over_wall_; }
+    double query_over_wall() const { return clock_.query_over_wall(); }
 
     // The problems that occurred when variants were made, once each.
     const Diagnostics& problems() const { return problems_; }
@@ -105,7 +89,6 @@ private:
     gl::ExactTarget* target(int multisample);
     bool ready(const Variant& variant, bool directions);
     bool draw(const std::vector<bool>* hidden, const Stop& stop = {});
-    Times timed(int frames);
 
     Plan plan_;
     Files* files_;
@@ -115,8 +98,7 @@ private:
     bool directions_ = false;
     std::deque<std::unique_ptr<Stage>> stages_;
     std::deque<std::pair<int, std::unique_ptr<gl::ExactTarget>>> targets_;
-    gl::TimerQuery query_;
-    double query_over_wall_ = 0;
+    FrameClock clock_;
     Diagnostics problems_;
 
     // The inputs of draw().

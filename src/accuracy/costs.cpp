@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 
 #include "parser/text/ranges.h"
@@ -41,8 +43,7 @@ Control control(std::span<const double> first, std::span<const double> again) {
 
 Costs::Costs(std::span<const std::vector<double>> times, double noise)
     : count_(times.size()), cost_(count_ * count_, Cost::not_told), middle_(count_ * count_, 1) {
-    const auto timed = ranges::count_if(
-        times, [](const auto& of) { return ranges::any_of(of, [](double time) { return time > 0; }); });
+    const auto timed = ranges::count_if(times, [](const auto& of) { return !taken(of).empty(); });
     const double level = family_level / pairs_of(static_cast<std::size_t>(timed));
     for (std::size_t i = 0; i < count_; ++i)
         for (std::size_t j = 0; j < i; ++j) {
@@ -109,11 +110,30 @@ Interval median_interval(std::span<const double> values, double level) {
     return {sorted[ends - 1], middle, sorted[sorted.size() - ends]};
 }
 
-std::vector<double> quotients(std::span<const double> a, std::span<const double> b) {
-    std::vector<double> ratios;
+std::vector<double> taken(std::span<const double> times) {
+    std::vector<double> result;
+    ranges::copy_if(times, std::back_inserter(result), [](double time) { return time > 0; });
+    return result;
+}
+
+namespace {
+
+template <class Compare>
+std::vector<double> paired(std::span<const double> a, std::span<const double> b, const Compare& compare) {
+    std::vector<double> result;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        if (a[i] > 0 && b[i] > 0) ratios.push_back(a[i] / b[i]);
-    return ratios;
+        if (a[i] > 0 && b[i] > 0) result.push_back(compare(a[i], b[i]));
+    return result;
+}
+
+}  // namespace
+
+std::vector<double> quotients(std::span<const double> a, std::span<const double> b) {
+    return paired(a, b, std::divides<>());
+}
+
+double paired_difference(std::span<const double> a, std::span<const double> b) {
+    return median(paired(a, b, std::minus<>()));
 }
 
 Interval paired_ratio(std::span<const double> a, std::span<const double> b, double level) {
@@ -124,9 +144,7 @@ namespace {
 
 constexpr double same_error = 1e-3, better_error = 1e-2;
 
-bool measured(const Point& point) {
-    return point.error >= 0 && ranges::any_of(point.times, [](double t) { return t > 0; });
-}
+bool measured(const Point& point) { return point.error >= 0 && !taken(point.times).empty(); }
 
 bool is_better(const Point& other, const Point& own) { return other.error < own.error * (1 - better_error); }
 bool is_no_worse(const Point& other, const Point& own) { return other.error <= own.error * (1 + same_error); }

@@ -35,11 +35,15 @@ struct Interval {
 // independent. Of too few of them nothing is known: from 0 to infinity. For none, all members are NaN.
 Interval median_interval(std::span<const double> values, double level = .05);
 
-// The quotients a[i] / b[i] of the rounds that both took part in (a value that is not positive is missing). A load of
-// the machine that lasts for a whole round cancels out.
+// A time of 0 marks a round that something did not take part in. The others:
+std::vector<double> taken(std::span<const double> times);
+// The quotients a[i] / b[i] of the rounds that both took part in. A load of the machine that lasts for a whole round
+// cancels out.
 std::vector<double> quotients(std::span<const double> a, std::span<const double> b);
 // The interval of their median.
 Interval paired_ratio(std::span<const double> a, std::span<const double> b, double level = .05);
+// The median of the differences a[i] - b[i] of these rounds; NaN if there are none.
+double paired_difference(std::span<const double> a, std::span<const double> b);
 
 // What is said of two costs: one rule for every table, plot, advice and merge.
 

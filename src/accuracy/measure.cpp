@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/rounds.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell::accuracy {
 
@@ -16,24 +16,10 @@ namespace {
 constexpr double too_far = 3;      // in degrees
 constexpr double rounding = 1e-7;  // of sums of samples in 32-bit floats, as an RMSE
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-const std::vector<double>& times_of(const RungResult& rung, ClockKind clock) {
-    return clock == ClockKind::cpu ? rung.cpu : clock == ClockKind::gpu ? rung.gpu : rung.wall;
-}
-
-std::vector<double> taken(const std::vector<double>& times) {
-    std::vector<double> result;
-    ranges::copy_if(times, std::back_inserter(result), [](double t) { return t > 0; });
-    return result;
-}
-
 std::vector<Point> points_of(const SweepResult& result) {
     std::vector<Point> points;
     for (const RungResult& rung : result.rungs) {
-        const std::vector<double>& times = times_of(rung, result.clock);
+        const std::vector<double>& times = rung.times(result.clock);
         points.push_back(
             {rung.drawn ? result.error(rung) : std::nan(""), taken(times).empty() ? std::vector<double>{} : times});
     }
@@ -92,7 +78,7 @@ private:
         std::optional<Picture> facing, elsewhere;
     };
 
-    double left() const { return options_.seconds - seconds_since(start_); }
+    double left() const { return options_.seconds + given_ - 1e-3 * watch_.milliseconds(); }
 
     bool stopped() {
         if (!result_.interrupted && options_.stop && options_.stop()) result_.interrupted = true;
@@ -167,8 +153,7 @@ private:
         References& references = options_.references ? *options_.references : of_sweep;
         Goal goal{.reference = &references.of(bench_, variant(at).rungs, options_.stop)};
         // References have a time of their own; only what goes beyond it is taken from the sweep's.
-        start_ += std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-            std::chrono::duration<double>(std::min(seconds_since(start_), references.seconds())));
+        given_ = std::min(1e-3 * watch_.milliseconds(), references.seconds());
         if (given_up()) return;
         const bool knob = result_.sweep.kind == SweepKind::knob;
         goal.last = bench_.picture(variant(at), nullptr, [&] { return knob ? spent() : stopped(); });
@@ -252,10 +237,9 @@ private:
                        .over = [this] { return left() <= 0; },
                        .stopped = [this] { return spent(); },
                        .report = [this](std::string_view doing, double done) { say(doing, done, left()); }});
-        while (rounds.step()) {
-        }
-        for (std::size_t i = 0; i < result_.rungs.size(); ++i) take_times(result_.rungs[i], rounds.times()[i]);
-        again_ = rounds.again();
+        rounds.run();
+        for (std::size_t i = 0; i < result_.rungs.size(); ++i) take_times(result_.rungs[i], rounds.times(i));
+        again_ = by_clock(rounds.again(), result_.clock);
     }
 
     Bench& bench_;
@@ -263,7 +247,8 @@ private:
     SweepResult result_;
     std::vector<Drawn> drawn_;  // by rung
     std::vector<double> again_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    runtime::Stopwatch watch_;
+    double given_ = 0;  // seconds besides those of the options
 };
 
 // Counts that end before they converge leave an error that finer knobs don't show. If the last steps shrink like a
@@ -312,10 +297,10 @@ void judge_residual(SweepResult& result) {
 }
 
 void conclude_times(SweepResult& result, std::span<const double> base_again) {
-    const std::vector<double>& base = times_of(result.rungs[result.sweep.current], result.clock);
+    const std::vector<double>& base = result.rungs[result.sweep.current].times(result.clock);
     result.control = control(base, base_again);
     for (RungResult& rung : result.rungs) {
-        const std::vector<double>& times = times_of(rung, result.clock);
+        const std::vector<double>& times = rung.times(result.clock);
         const std::vector<double> present = taken(times);
         rung.rounds = present.size();
         if (!present.empty()) {
@@ -356,11 +341,9 @@ bool RungResult::hidden() const {
 }
 
 void take_times(RungResult& rung, std::span<const Times> rounds) {
-    for (const Times& times : rounds) {
-        rung.cpu.push_back(times.cpu);
-        rung.wall.push_back(times.wall);
-        rung.gpu.push_back(times.gpu);
-    }
+    rung.cpu = by_clock(rounds, ClockKind::cpu);
+    rung.wall = by_clock(rounds, ClockKind::wall);
+    rung.gpu = by_clock(rounds, ClockKind::gpu);
 }
 
 double SweepResult::error(const RungResult& rung) const {

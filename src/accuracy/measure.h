@@ -34,6 +34,9 @@ struct RungResult {
     Verdict verdict;
     bool cliff = false;
 
+    const std::vector<double>& times(ClockKind clock) const {
+        return clock == ClockKind::cpu ? cpu : clock == ClockKind::gpu ? gpu : wall;
+    }
     // True if it changes next to nothing at one place and visibly at the other: a rung of another ladder hides it.
     bool hidden() const;
 };
@@ -90,7 +93,7 @@ struct MeasureOptions {
 // Measures all rungs of the sweep. The bench's context must be current.
 SweepResult measure(Bench& bench, const Sweep& sweep, const MeasureOptions& options);
 
-// Adds the times of each round.
+// Takes the times of each round.
 void take_times(RungResult& rung, std::span<const Times> rounds);
 
 // Computes the conclusions from the errors and times in `result`. measure() calls it; it is public for tests and for

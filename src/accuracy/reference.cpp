@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "src/accuracy/rounds.h"
 #include "src/content/image/image.h"
-#include "src/gl/present.h"
 
 namespace snell::accuracy {
 
@@ -63,13 +61,9 @@ std::array<double, 2> sample_position(int index) {
     return {around_first(2), around_first(3)};
 }
 
-double SampleMean::add(Runtime& runtime, Frame frame, bool cpu) {
+Times SampleMean::add(Runtime& runtime, Frame frame, const FrameClock& clock) {
     frame.shift = sample_position(samples_);
-    gl::finish();
-    const double start = cpu ? cpu_milliseconds() : wall_milliseconds();
-    runtime.draw(frame, {target_.framebuffer(), target_.width(), target_.height()});
-    gl::finish();
-    const double took = (cpu ? cpu_milliseconds() : wall_milliseconds()) - start;
+    const Times took = clock.of([&] { runtime.draw(frame, surface()); });
     if (samples_++ == 0) target_.begin();
     target_.add(1);
     return took;

@@ -53,9 +53,10 @@ public:
     bool valid() const { return target_.valid(); }
     int samples() const { return samples_; }
     void restart() { samples_ = 0; }
-    // Draws the next sample; frame.shift is ignored. Returns the milliseconds of the drawing: the process's CPU time if
-    // `cpu`, otherwise wall time.
-    double add(Runtime& runtime, Frame frame, bool cpu);
+    // Draws the next sample, and returns the time of the drawing; frame.shift is ignored.
+    Times add(Runtime& runtime, Frame frame, const FrameClock& clock);
+    // Where samples are drawn.
+    Surface surface() const { return {target_.framebuffer(), target_.width(), target_.height()}; }
     // What a display gets of the mean. samples() must be above 0; `runtime` drew them.
     Picture picture(const Runtime& runtime) const;
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
 
 namespace snell::accuracy {
@@ -12,7 +13,7 @@ Rounds::Rounds(std::vector<Entrant> entrants, RoundOptions options)
     : entrants_(std::move(entrants)),
       options_(std::move(options)),
       frame_(entrants_.size()),
-      times_(entrants_.size()),
+      times_(entrants_.size() + 1),
       stride_(entrants_.size(), 1),
       random_(options_.seed) {
     for (std::size_t i = entrants_.size(); i-- > 0;)
@@ -32,8 +33,8 @@ bool Rounds::warm_next() {
     to_warm_.pop_back();
     const bool first = i == options_.base || i == options_.kept;
     // Warming up one more takes the time of those that there are rounds for.
-    const bool full = !first && stride(1e3 * options_.seconds_left()) > 1e3 * options_.seconds_left();
-    if (full || options_.stopped() || (!first && options_.over())) {
+    const auto full = [&] { return stride(1e3 * options_.seconds_left()) > 1e3 * options_.seconds_left(); };
+    if (options_.stopped() || (!first && ((!options_.everyone && full()) || options_.over()))) {
         to_warm_.clear();
         return true;
     }
@@ -70,11 +71,11 @@ double Rounds::stride(double time) {
         const double last = std::max(std::floor(rounds / 3), 1.0);
         stride_[i] = std::min(std::bit_ceil(static_cast<std::size_t>(std::clamp(wanted, 1.0, last))),
                               std::bit_floor(static_cast<std::size_t>(last)));
-        const double times = i == options_.base ? 2 : 1;
+        const double times = i == options_.base && options_.control ? 2 : 1;
         whole += times * sample(i);
         strided += times * sample(i) / static_cast<double>(stride_[i]);
     }
-    if (whole * rounds > time && taking_part() > 2) return strided * rounds;
+    if (whole * rounds > time && taking_part() > 2 && !options_.everyone) return strided * rounds;
     std::fill(stride_.begin(), stride_.end(), 1);
     return whole * rounds;
 }
@@ -82,7 +83,7 @@ double Rounds::stride(double time) {
 void Rounds::decide() {
     const double time = std::max(1e3 * options_.seconds_left(), 0.0);
     double wanted = stride(time);
-    for (; wanted > time && taking_part() > 2; wanted = stride(time)) {
+    for (; wanted > time && taking_part() > 2 && !options_.everyone; wanted = stride(time)) {
         std::size_t most = options_.base;
         for (std::size_t i = 0; i < frame_.size(); ++i)
             if (frame_[i] && i != options_.base && i != options_.kept &&
@@ -100,10 +101,12 @@ void Rounds::begin_round() {
     const std::size_t again = entrants_.size(), base = options_.base;
     for (std::size_t i = 0; i < again; ++i)
         if (frame_[i] && round_ % stride_[i] == 0) order_.push_back(i);
-    if (frame_[base] && round_ % stride_[base] == 0) order_.push_back(again);
+    if (options_.control && frame_[base] && round_ % stride_[base] == 0) order_.push_back(again);
     for (std::size_t i = order_.size(); i > 1; --i) std::swap(order_[i - 1], order_[random_() % i]);
+    // If the time is up in the first round, others say nothing without it.
+    if (const auto found = ranges::find(order_, base); round_ == 0 && found != order_.end())
+        std::swap(*found, order_.back());
     for (auto& times : times_) times.push_back({});
-    again_.push_back(0);
 }
 
 bool Rounds::time_next() {
@@ -113,18 +116,16 @@ bool Rounds::time_next() {
         options_.report("timing", static_cast<double>(round_) / static_cast<double>(rounds_));
         const std::size_t i = order_.back();
         order_.pop_back();
-        take(i, entrants_[i == entrants_.size() ? options_.base : i].time(options_.at_least));
+        times_[i].back() = entrants_[i == entrants_.size() ? options_.base : i].time(options_.at_least);
     }
     if (order_.empty()) ++round_;
     return true;
 }
 
-// An index behind the last entrant is the control.
-void Rounds::take(std::size_t entrant, const Times& times) {
-    if (entrant == entrants_.size())
-        again_.back() = chosen(times, options_.clock);
-    else
-        times_[entrant].back() = times;
+std::vector<double> by_clock(std::span<const Times> rounds, ClockKind clock) {
+    std::vector<double> times;
+    for (const Times& round : rounds) times.push_back(chosen(round, clock));
+    return times;
 }
 
 }  // namespace snell::accuracy

@@ -27,17 +27,13 @@ TEST(DividedTime, LeavesOutRungsInsteadOfRounds) {
                                     return Times{frame, frame, 0};
                                 }});
         const auto left = [&] { return seconds - now / 1e3; };
-        Rounds rounds(std::move(entrants), {.base = base,
-                                            .kept = kept,
-                                            .seconds_left = left,
-                                            .over = [&] { return left() <= 0; },
-                                            .stopped = [] { return false; },
-                                            .report = [](std::string_view, double) {}});
-        while (rounds.step()) continue;
+        Rounds rounds(std::move(entrants),
+                      {.base = base, .kept = kept, .seconds_left = left, .over = [&] { return left() <= 0; }});
+        rounds.run();
         std::vector<std::size_t> counts;
-        for (const auto& times : rounds.times())
+        for (std::size_t i = 0; i < frames.size(); ++i)
             counts.push_back(static_cast<std::size_t>(
-                std::count_if(times.begin(), times.end(), [](const Times& t) { return t.wall > 0; })));
+                std::ranges::count_if(rounds.times(i), [](const Times& t) { return t.wall > 0; })));
         const auto timed = static_cast<std::size_t>(
             std::count_if(counts.begin(), counts.end(), [](std::size_t count) { return count > 0; }));
         EXPECT_GE(timed, std::max<std::size_t>(before, 2)) << seconds << " s: more time, more rungs";

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <random>
 #include <tuple>
 
@@ -11,6 +10,7 @@
 #include "src/accuracy/found/average.h"
 #include "src/accuracy/found/change.h"
 #include "src/accuracy/found/search.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell::accuracy {
 
@@ -124,19 +124,16 @@ FoundResult untried(const Original& original, std::vector<Change> changes, const
 
 FoundResult search(const Original& original, const gl::Caps& caps, const BenchSettings& settings,
                    const SearchOptions& options) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto spent = [start] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
+    const runtime::Stopwatch watch;
     std::vector<Change> changes = find_changes(original.plan, original.files, original.sources);
     if (options.report) options.report({"found rungs", "drawing means of expressions", 0, options.seconds});
-    fill_averages(original, changes, caps,
-                  [&] { return spent() > most_for_averages * options.seconds || (options.stop && options.stop()); });
+    fill_averages(original, changes, caps, [&] {
+        return 1e-3 * watch.milliseconds() > most_for_averages * options.seconds || (options.stop && options.stop());
+    });
     SearchOptions rest = options;
-    rest.seconds = std::max(options.seconds - spent(), 0.);
+    rest.seconds = std::max(options.seconds - 1e-3 * watch.milliseconds(), 0.);
     Search search(original, std::move(changes), caps, settings, std::move(rest));
-    while (search.step()) {
-    }
+    while (search.step()) continue;
     return search.take();
 }
 

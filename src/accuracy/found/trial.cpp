@@ -188,12 +188,17 @@ Trials::Quick Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, co
         const double ratio = warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
         return {ratio, ratio};
     }
-    std::vector<double> ratios;
-    for (int i = 0; i < quick_pairs && !(stop && stop()); ++i) {
-        const double changed = chosen(trial.bench->time(variant(), quick_sample), clock);
-        const double unchanged = chosen(scene().time(variant(), quick_sample), clock);
-        if (unchanged > 0) ratios.push_back(changed / unchanged);
-    }
+    std::vector<Entrant> entrants;
+    for (Bench* bench : {trial.bench.get(), &scene()})
+        entrants.push_back({[warm](ClockKind) { return warm; },  // both are
+                            [bench, variant = variant()](double least) { return bench->time(variant, least); }});
+    Rounds rounds(
+        std::move(entrants),
+        {.clock = clock, .kept = 1, .control = false, .rounds = quick_pairs, .at_least = quick_sample, .stopped = [&] {
+             return stop && stop();
+         }});
+    rounds.run();
+    std::vector<double> ratios = quotients(by_clock(rounds.times(0), clock), by_clock(rounds.times(1), clock));
     if (ratios.empty()) return {};
     ranges::sort(ratios);
     return {median(ratios), ratios[2 * ratios.size() / 3]};
@@ -332,8 +337,8 @@ void Search::Impl::end_rounds() {
     SweepResult& sweep = *timing;
     std::vector<double> again;
     if (rounds) {
-        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) take_times(sweep.rungs[i], rounds->times()[i]);
-        again = rounds->again();
+        for (std::size_t i = 0; i < sweep.rungs.size(); ++i) take_times(sweep.rungs[i], rounds->times(i));
+        again = by_clock(rounds->again(), clock);
     }
     sweep.interrupted = result.interrupted;
     conclude(sweep, again);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <deque>
 #include <functional>
 #include <map>
@@ -14,6 +13,7 @@
 
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/rounds.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell::accuracy {
 
@@ -171,7 +171,7 @@ struct Search::Impl {
     std::string_view doing = "opening the scene";
     std::deque<std::function<void()>> tasks;
     double before = 0;  // seconds of the steps before this one
-    std::chrono::steady_clock::time_point entered;
+    runtime::Stopwatch entered;
 };
 
 inline double rmse_of(const FoundRung& rung) { return rung.worst()->own.light.rmse; }

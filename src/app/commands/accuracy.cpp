@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -24,6 +23,7 @@
 #include "src/app/open/write_copy.h"
 #include "src/document/document.h"
 #include "src/plan/texts.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell::app {
 
@@ -191,9 +191,8 @@ public:
 
 private:
     MeasureOptions next(std::size_t rungs, References& references) const {
-        const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         const double later_reference = done_.sweeps == 0 ? reference_seconds() : 0;
-        const double left = std::max(options_.budget - spent - later_reference, 0.0);
+        const double left = std::max(options_.budget - 1e-3 * watch_.milliseconds() - later_reference, 0.0);
         const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
         MeasureOptions measuring;
         measuring.rounds = options_.rounds;
@@ -220,7 +219,7 @@ private:
     const AccuracyOptions& options_;
     Work all_, done_;
     Deadline& deadline_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    runtime::Stopwatch watch_;
 };
 
 bool note_problems(const Bench& bench, const Subject& subject, Report& report) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <map>
 
@@ -12,7 +11,7 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/frame_clock.h"
 #include "src/app/grade/facts.h"
 #include "src/app/grade/find_scene.h"
 #include "src/app/grade/rubric/table.h"
@@ -354,27 +353,18 @@ private:
         if (!wrong.empty()) record_.notes.push_back(fmt::format("'{}' cannot be written: {}", name, wrong));
     }
 
-    // On the CPU, the processor's time, which does not depend on what else the machine does.
-    double now() const {
-        if (!caps_.software) return accuracy::wall_milliseconds();
-        timespec time{};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-    }
-
     void measure_time(const gl::Target& target) {
         // Some systems count a processor's time in steps of 10 ms, so single frames are not timed.
         constexpr double enough = 150;
-        constexpr int most_frames = 200;
         const View view;
-        const double begin = now(), wall = accuracy::wall_milliseconds();
-        int frames = 0;
-        while (frames < most_frames && accuracy::wall_milliseconds() - wall < enough) {
-            deadline_.begin("a frame whose time is measured");
-            image_of({.view = view, .controls = document_->controls, .hidden = &endless_}, target);
-            ++frames;
-        }
-        record_.milliseconds = (now() - begin) / frames;
+        const accuracy::FrameClock clock(caps_.software);
+        const accuracy::Times times = clock.sample(
+            [&] {
+                deadline_.begin("a frame whose time is measured");
+                image_of({.view = view, .controls = document_->controls, .hidden = &endless_}, target);
+            },
+            enough);
+        record_.milliseconds = chosen(times, clock.plain());
     }
 
     // The reference's own picture, which is copied so that the folder can be handed back.

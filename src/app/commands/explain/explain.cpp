@@ -130,21 +130,24 @@ void time_all(ExplainReport& report, Document& document, const ExplainOptions& o
 
 using accuracy::FoundResult, accuracy::FoundRung;
 
-// What the rung saves of a frame: the median of the differences to frames of the scene.
+// Milliseconds by each clock, of which that of the GPU counts only if it is the right one; nullopt: not known.
+template <class Milliseconds>
+std::optional<FrameCost> cost_by(accuracy::ClockKind clock, const Milliseconds& by) {
+    using accuracy::ClockKind;
+    FrameCost cost{by(ClockKind::cpu), by(ClockKind::wall), std::nullopt};
+    if (std::isnan(cost.wall)) return std::nullopt;
+    if (clock == ClockKind::gpu) cost.gpu = by(clock);
+    return cost;
+}
+
+// What the rung saves of a frame.
 std::optional<FrameCost> saved_by(const FoundRung& rung, const FoundResult& result) {
     const accuracy::RungResult* without = result.times(rung);
     if (!without || result.costs.rungs.empty()) return std::nullopt;
     const accuracy::RungResult& with = result.costs.rungs.back();
-    const auto median = [&](const std::vector<double>& a, const std::vector<double>& b) {
-        std::vector<double> differences;
-        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-            if (a[i] > 0 && b[i] > 0) differences.push_back(a[i] - b[i]);
-        return accuracy::median(differences);
-    };
-    FrameCost cost{median(with.cpu, without->cpu), median(with.wall, without->wall), std::nullopt};
-    if (std::isnan(cost.wall)) return std::nullopt;  // they have no round in common
-    if (result.costs.clock == accuracy::ClockKind::gpu) cost.gpu = median(with.gpu, without->gpu);
-    return cost;
+    return cost_by(result.costs.clock, [&](accuracy::ClockKind clock) {
+        return accuracy::paired_difference(with.times(clock), without->times(clock));
+    });
 }
 
 // What may be left out, by its number among all changes of the scene.
@@ -308,70 +311,18 @@ namespace {
 
 using Paid = Explanation::Paid;
 
-// Times frames of which some draws are left out.
-class Rounds {
-public:
-    Rounds(const Frame& frame, const Surface& surface, bool software)
-        : frame_(frame), surface_(surface), software_(software) {}
-
-    FrameCost once(Runtime& runtime, const std::vector<bool>& hidden = {}, int frames = 1) {
-        Frame frame = frame_;
-        frame.hidden = hidden.empty() ? nullptr : &hidden;
-        gl::finish();
-        const bool query = !software_ && query_.available();
-        if (query) query_.begin();
-        const double cpu = accuracy::cpu_milliseconds();
-        const runtime::Stopwatch watch;
-        for (int i = 0; i < frames; ++i) {
-            runtime.draw(frame, surface_);
-            gl::finish();
-        }
-        FrameCost cost{(accuracy::cpu_milliseconds() - cpu) / frames, watch.milliseconds() / frames, std::nullopt};
-        if (query) cost.gpu = query_.end() / frames;
-        return cost;
-    }
-
-    // A timer query is trusted if it agrees with the wall clock on a heavy load.
-    bool calibrated(Runtime& runtime) {
-        if (software_ || !query_.available()) return false;
-        const int frames = std::clamp(static_cast<int>(200 / std::max(once(runtime).wall, .01)), 1, 1000);
-        const FrameCost heavy = once(runtime, {}, frames);
-        return heavy.gpu && *heavy.gpu > .8 * heavy.wall && *heavy.gpu < 1.2 * heavy.wall;
-    }
-
-private:
-    Frame frame_;
-    Surface surface_;
-    bool software_;
-    gl::TimerQuery query_;
-};
-
-// Compares times of the same rounds; the last round may be incomplete.
-FrameCost median_difference(const std::vector<FrameCost>& with, const std::vector<FrameCost>& without, bool gpu) {
-    const auto median = [&](auto value) {
-        std::vector<double> differences;
-        for (std::size_t i = 0; i < std::min(with.size(), without.size()); ++i)
-            differences.push_back(value(with[i]) - value(without[i]));
-        return accuracy::median(differences);
-    };
-    FrameCost cost{median([](const FrameCost& c) { return c.cpu; }), median([](const FrameCost& c) { return c.wall; }),
-                   std::nullopt};
-    if (gpu) cost.gpu = median([](const FrameCost& c) { return c.gpu.value_or(0); });
-    return cost;
-}
-
-// What is timed in turns with the whole frame, and where the difference goes.
+// What is timed in turns, and where its difference to the whole frame goes.
 struct Timed {
     Runtime* runtime;
-    std::vector<bool> hidden;  // as Frame::hidden
-    std::optional<FrameCost>* result;
-    bool more;  // it takes what the whole frame takes, and more
-    std::vector<FrameCost> costs = {};
+    std::vector<bool> hidden = {};  // as Frame::hidden
+    std::optional<FrameCost>* result = nullptr;
+    bool more = false;  // it takes what the whole frame takes, and more
 };
 
-// Cube passes that are kept are not among the parts: they would be drawn only because their draws come and go.
+// The whole frame first. Cube passes that are kept are not among the parts: they would be drawn only because their
+// draws come and go.
 std::vector<Timed> timed_parts(Explanation& explanation, Runtime& runtime, std::span<const Comparison> comparisons) {
-    std::vector<Timed> parts;
+    std::vector<Timed> parts{{&runtime}};
     std::set<Index> kept;
     for (const Paid& paid : explanation.paid)
         if (paid.kept) kept.insert(paid.draws.begin(), paid.draws.end());
@@ -392,42 +343,52 @@ double shown(const FrameCost& cost, bool software) { return cost.gpu ? *cost.gpu
 void time_frames(ExplainReport& report, Runtime& runtime, const Frame& frame, const Surface& surface,
                  const Timing& timing, std::span<const Comparison> comparisons) {
     const runtime::Stopwatch watch;
-    Rounds clock(frame, surface, report.caps.software);
-    std::vector<Timed> parts = timed_parts(report.explanation, runtime, comparisons);
-    const bool gpu = clock.calibrated(runtime);
-    std::vector<FrameCost> whole;
+    accuracy::FrameClock timer(report.caps.software);
+    const accuracy::ClockKind kind = timer.choose([&] { runtime.draw(frame, surface); });
     double longest = timing.frame;
-    const auto fits = [&] { return watch.milliseconds() + longest < timing.milliseconds; };
-    const auto timed = [&](Runtime& of, const std::vector<bool>& hidden) {
-        const double share = std::max(watch.milliseconds() / std::max(timing.milliseconds, 1.),
-                                      static_cast<double>(whole.size()) / static_cast<double>(timing.rounds));
-        if (timing.report) timing.report(static_cast<int>(whole.size()), share);
-        const FrameCost cost = clock.once(of, hidden);
-        longest = std::max(longest, cost.wall);
-        return cost;
+    const std::vector<Timed> parts = timed_parts(report.explanation, runtime, comparisons);
+    std::vector<accuracy::Entrant> entrants;
+    for (const Timed& part : parts)
+        entrants.push_back({[&](accuracy::ClockKind) { return timing.frame; },  // all were drawn before
+                            [&](double) {
+                                Frame less = frame;
+                                less.hidden = part.hidden.empty() ? nullptr : &part.hidden;
+                                const accuracy::Times took = timer.of([&] { part.runtime->draw(less, surface); });
+                                longest = std::max(longest, took.wall);
+                                return took;
+                            }});
+    accuracy::Rounds rounds(std::move(entrants),
+                            {.clock = kind,
+                             .control = false,
+                             .rounds = timing.rounds,
+                             .at_least = 0,
+                             .stopped = [&] { return watch.milliseconds() + longest >= timing.milliseconds; },
+                             .report =
+                                 [&](std::string_view doing, double done) {
+                                     if (!timing.report || doing != "timing") return;
+                                     timing.report(
+                                         static_cast<int>(std::lround(done * timing.rounds)),
+                                         std::max(watch.milliseconds() / std::max(timing.milliseconds, 1.), done));
+                                 }});
+    rounds.run();
+    const auto by = [&](std::size_t part, accuracy::ClockKind clock) {
+        return accuracy::by_clock(rounds.times(part), clock);
     };
-    for (int round = 0; round < timing.rounds && fits(); ++round) {
-        whole.push_back(timed(runtime, {}));
-        for (std::size_t i = 0; i < parts.size() && fits(); ++i)
-            parts[i].costs.push_back(timed(*parts[i].runtime, parts[i].hidden));
-    }
+    const std::vector<double> whole = accuracy::taken(by(0, kind));
     if (whole.empty()) return;
     report.asked = timing.rounds;
     report.rounds = static_cast<int>(whole.size());
-    report.clock = gpu                    ? "timer queries of the GPU"
-                   : report.caps.software ? "CPU time of the process"
-                                          : "the wall's clock";
-    report.frame = median_difference(whole, std::vector<FrameCost>(whole.size()), gpu);
-    for (const Timed& part : parts)
-        if (!part.costs.empty())
-            *part.result =
-                part.more ? median_difference(part.costs, whole, gpu) : median_difference(whole, part.costs, gpu);
-    std::vector<double> values;
-    for (FrameCost& cost : whole) {
-        if (!gpu) cost.gpu.reset();
-        values.push_back(shown(cost, report.caps.software));
-    }
-    report.spread = accuracy::mad(values);
+    report.clock = kind == accuracy::ClockKind::gpu   ? "timer queries of the GPU"
+                   : kind == accuracy::ClockKind::cpu ? "CPU time of the process"
+                                                      : "the wall's clock";
+    report.frame =
+        *cost_by(kind, [&](accuracy::ClockKind clock) { return accuracy::median(accuracy::taken(by(0, clock))); });
+    report.spread = accuracy::mad(whole);
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        *parts[i].result = cost_by(kind, [&](accuracy::ClockKind clock) {
+            const std::size_t more = parts[i].more ? i : 0;
+            return accuracy::paired_difference(by(more, clock), by(i - more, clock));
+        });
 }
 
 }  // namespace snell::app

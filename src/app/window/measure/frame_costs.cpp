@@ -6,7 +6,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
-#include "src/accuracy/rounds.h"
 #include "src/app/open/complain.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
@@ -52,7 +51,7 @@ struct FrameCosts::Apart {
     std::vector<Step> marked;
 };
 
-FrameCosts::FrameCosts(const gl::Caps& caps) : caps_(caps) {}
+FrameCosts::FrameCosts(const gl::Caps& caps) : caps_(caps), clock_(caps.software) {}
 FrameCosts::~FrameCosts() = default;
 FrameCosts::FrameCosts(FrameCosts&&) noexcept = default;
 FrameCosts& FrameCosts::operator=(FrameCosts&&) noexcept = default;
@@ -147,8 +146,9 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
     if (queries) marks_.mark();
     apart.before = accuracy::wall_milliseconds();
     Frame frame{.time = stand.time, .view = stand.view, .controls = document.controls};
+    const Surface surface{apart.target.framebuffer.get(), stand.width, stand.height};
     frame.after = &listen;
-    document.runtime->draw(frame, {apart.target.framebuffer.get(), stand.width, stand.height});
+    document.runtime->draw(frame, surface);
     if (queries) {
         const auto times = marks_.take();
         for (std::size_t i = 0; i < times.size() && i < apart.marked.size(); ++i) {
@@ -157,31 +157,17 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
             if (step.draw != none) apart.sums[{step.pass, step.draw}] += times[i];
         }
     }
-    const double plain = plain_frame(document, stand);
+    frame.after = nullptr;
+    const accuracy::Times plain = clock_.of([&] { document.runtime->draw(frame, surface); });
     if (apart.round++ > 0) {
         for (const auto& [key, time] : apart.sums) apart.times[key].push_back(time);
-        apart.plain.push_back(plain);
+        apart.plain.push_back(queries && plain.gpu > 0 ? plain.gpu : plain.wall);
     }
     if (apart.round < rounds) return true;
     known_ = std::move(apart.times);
     plain_ = accuracy::median(apart.plain);
     apart_.reset();
     return true;
-}
-
-double FrameCosts::plain_frame(Document& document, const Stand& stand) {
-    const Frame frame{.time = stand.time, .view = stand.view, .controls = document.controls};
-    const bool queries = by_gpu();
-    gl::finish();
-    if (queries) marks_.mark();
-    const double begin = accuracy::wall_milliseconds();
-    document.runtime->draw(frame, {apart_->target.framebuffer.get(), stand.width, stand.height});
-    if (queries) {
-        marks_.mark();
-        return marks_.take().front();
-    }
-    gl::finish();
-    return accuracy::wall_milliseconds() - begin;
 }
 
 void FrameCosts::fill(Explanation& explanation) const {

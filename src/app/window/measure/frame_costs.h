@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/accuracy/frame_clock.h"
 #include "src/app/window/measure/refine.h"
 #include "src/document/document.h"
 #include "src/gl/debug.h"
@@ -55,11 +56,10 @@ private:
 
     bool by_gpu();
     void read_marks(double picture);
-    // The time of a frame of step() in which only its end is waited for.
-    double plain_frame(Document& document, const Stand& stand);
     std::vector<ui::CostRow> rows_of(const Times& times, const Document& document) const;
 
     gl::Caps caps_;
+    accuracy::FrameClock clock_;
     bool open_ = false, running_ = false;
     std::vector<float> frames_, sorted_;  // in milliseconds; frames_ is in order of time
     gl::Marks marks_;
@@ -71,7 +71,7 @@ private:
     std::uint64_t revision_ = 0;
     std::unique_ptr<Apart> apart_;
     Times known_;       // results of measure()
-    double plain_ = 0;  // likewise, of plain_frame()
+    double plain_ = 0;  // likewise, of whole frames
     std::vector<ui::CostRow> live_rows_, apart_rows_;
     ui::FrameCostFacts facts_;
 };

@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/bench.h"
-#include "src/accuracy/costs.h"
 
 namespace snell {
 
@@ -26,7 +24,8 @@ std::string first_error(const Diagnostics& diagnostics) {
 
 }  // namespace
 
-Refinement::Refinement(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
+Refinement::Refinement(std::string path, const gl::Caps& caps)
+    : path_(std::move(path)), caps_(caps), clock_(caps.software) {}
 
 std::size_t Refinement::level(int samples) {
     return static_cast<std::size_t>(ranges::find(levels, samples) - levels.begin());
@@ -100,7 +99,7 @@ bool Refinement::reference_step() {
     last.rungs = scene_ ? scene_->controls.rungs : reference.runtime->rungs();
     if (!scene_) choose_last(reference.scene(), last.rungs);
     const View view = without_axes();
-    means_->reference.add(*reference.runtime, {.time = stand_.time, .view = view, .controls = last}, false);
+    means_->reference.add(*reference.runtime, {.time = stand_.time, .view = view, .controls = last}, clock_);
     const std::size_t reached = level(means_->reference.samples());
     if (reached == levels.size()) return false;
     references_[reached] = means_->reference.picture(*reference.runtime);
@@ -110,11 +109,11 @@ bool Refinement::reference_step() {
 
 bool Refinement::chosen_step() {
     const View view = without_axes();
-    const double took = means_->chosen.add(*shown_->runtime, {.time = stand_.time, .view = view, .controls = controls_},
-                                           caps_.software);
+    const accuracy::Times took =
+        means_->chosen.add(*shown_->runtime, {.time = stand_.time, .view = view, .controls = controls_}, clock_);
     if (!std::exchange(cold_, false)) {
         if (times_.size() == most_times) times_.erase(times_.begin());
-        times_.push_back(took);
+        times_.push_back(chosen(took, clock_.plain()));
     }
     const std::size_t reached = level(means_->chosen.samples());
     if (reached == levels.size()) return false;
@@ -129,7 +128,7 @@ bool Refinement::chosen_step() {
 bool Refinement::cost_step() {
     const View view = without_axes();
     return costs_.step(*reference_->runtime, {.time = stand_.time, .view = view, .controls = controls_},
-                       references_.back(), levels.back(), caps_);
+                       references_.back(), levels.back(), clock_, caps_.es);
 }
 
 void Refinement::measure(std::size_t ladder) {
@@ -168,7 +167,7 @@ ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
     facts.of_scene = scene_ != nullptr;
     facts.samples = samples_;
     facts.wanted = levels.back();
-    facts.clock = accuracy::name(caps_.software ? accuracy::ClockKind::cpu : accuracy::ClockKind::wall);
+    facts.clock = accuracy::name(clock_.plain());
     facts.error = error_.light.rmse;
     facts.psnr = accuracy::decibels(error_.light.psnr, 1);
     facts.largest = error_.light.max;

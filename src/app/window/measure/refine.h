@@ -86,6 +86,7 @@ private:
     accuracy::Error error_;
     int samples_ = 0;            // of `chosen_` and `error_`
     int reference_samples_ = 0;  // of the best of `references_`
+    accuracy::FrameClock clock_;
     std::vector<double> times_;  // of the last samples of the chosen rungs
     bool cold_ = true;           // the next sample compiles or loads, so it is not timed
     std::uint64_t revision_ = 0;

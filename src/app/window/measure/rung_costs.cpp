@@ -9,15 +9,17 @@
 #include "src/accuracy/costs.h"
 #include "src/accuracy/metrics.h"
 #include "src/accuracy/report/report.h"
+#include "src/accuracy/rounds.h"
+#include "src/runtime/resources/counters.h"
 
 namespace snell {
 
 namespace {
 
-constexpr int fewest_rounds = 7, most_rounds = 21;
-constexpr int most_frames = 20;  // of a sample
-constexpr double budget = 6000;  // milliseconds of all rounds, where the fewest are not dearer
-constexpr double shortest = 4;   // milliseconds of a sample: quicker frames are drawn several times
+constexpr int most_rounds = 21;
+constexpr double budget = 6;                        // seconds of all rounds, where the fewest are not dearer
+constexpr double shortest = 4;                      // milliseconds of a sample: quicker frames are drawn several times
+constexpr double errors_part = .3, warm_part = .1;  // of the progress
 constexpr std::size_t most_rung_times = 15;
 
 using Standing = ui::AccuracyPoint::Standing;
@@ -48,6 +50,29 @@ std::string name_of(const Scene& scene, const Rungs& rungs, std::size_t ladder, 
 
 }  // namespace
 
+struct RungCosts::Job {
+    std::vector<std::string> names;  // of the ladder's rungs
+    std::size_t chosen = 0;          // index into `names`
+    std::vector<Rungs> rungs;        // in the order of `names`, and so are the errors
+    std::vector<double> errors = {};
+    std::optional<accuracy::SampleMean> mean = {};
+    std::optional<accuracy::Rounds> rounds = {};
+    double done = 0;
+    double spent = 0;  // seconds of the steps of rounds
+    // Of the present step.
+    Runtime* runtime = nullptr;
+    const Frame* frame = nullptr;
+
+    Controls controls(std::size_t rung) const {
+        Controls controls = frame->controls;
+        controls.rungs = rungs[rung];
+        return controls;
+    }
+};
+
+RungCosts::RungCosts() = default;
+RungCosts::~RungCosts() = default;
+
 void RungCosts::forget() {
     known_.clear();
     job_.reset();
@@ -62,93 +87,93 @@ void RungCosts::visit(const Rungs& rungs, double error, std::span<const double> 
 }
 
 void RungCosts::begin(std::size_t ladder, const Scene& scene, const Rungs& chosen) {
-    Job job;
-    job.chosen = chosen[ladder];
-    for (std::size_t i = 0; i < scene.ladders[ladder].rungs.size(); ++i) {
-        job.rungs.push_back(chosen);
-        job.rungs.back()[ladder] = i;
-        job.names.push_back(scene.ladders[ladder].rungs[i]);
-    }
-    job.rungs.push_back(chosen);
-    job.times.resize(job.rungs.size());
-    job_ = std::move(job);
+    const std::vector<std::string>& names = scene.ladders[ladder].rungs;
+    job_ = std::make_unique<Job>(
+        Job{.names = names, .chosen = chosen[ladder], .rungs = std::vector<Rungs>(names.size(), chosen)});
+    for (std::size_t i = 0; i < names.size(); ++i) job_->rungs[i][ladder] = i;
     remark_.clear();
 }
 
 void RungCosts::stop() { job_.reset(); }
 
-double RungCosts::done() const {
-    if (!job_) return 0;
-    const double rung = static_cast<double>(job_->next) / static_cast<double>(job_->rungs.size());
-    return job_->timing ? .3 + .7 * std::min(1., (job_->rounds + rung) / job_->wanted) : .3 * rung;
-}
+double RungCosts::done() const { return job_ ? job_->done : 0; }
 
 bool RungCosts::step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples,
-                     const gl::Caps& caps) {
+                     const accuracy::FrameClock& clock, bool es) {
     if (!job_) return false;
-    if (!job_->mean) job_->mean = std::make_unique<SampleMean>(reference.width, reference.height, caps.es);
-    if (!job_->mean->valid()) {
+    Job& job = *job_;
+    if (!job.mean) job.mean.emplace(reference.width, reference.height, es);
+    if (!job.mean->valid()) {
         stop();
         return true;
     }
-    return job_->timing ? time_step(runtime, frame, caps.software)
-                        : error_step(runtime, frame, reference, samples, caps.software);
+    job.runtime = &runtime;
+    job.frame = &frame;
+    if (job.errors.size() < job.rungs.size()) return error_step(reference, samples, clock);
+    if (!job.rounds) begin_rounds(clock);
+    const runtime::Stopwatch watch;
+    const double before = job.done;
+    const bool more = job.rounds->step();
+    job.spent += 1e-3 * watch.milliseconds();
+    if (!more) conclude(clock.plain());
+    return !more || job.done != before;
 }
 
-bool RungCosts::error_step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples,
-                           bool cpu) {
+bool RungCosts::error_step(const accuracy::Picture& reference, int samples, const accuracy::FrameClock& clock) {
     Job& job = *job_;
-    Controls controls = frame.controls;
-    controls.rungs = job.rungs[job.next];
-    const Frame here{.time = frame.time, .view = frame.view, .controls = controls};
+    const Controls controls = job.controls(job.errors.size());
     if (job.mean->samples() == samples) job.mean->restart();
-    job.mean->add(runtime, here, cpu);
+    job.mean->add(*job.runtime, {.time = job.frame->time, .view = job.frame->view, .controls = controls}, clock);
     if (job.mean->samples() < samples) return false;
-    job.errors.push_back(accuracy::compare(job.mean->picture(runtime), reference).light.rmse);
-    if (++job.next == job.names.size()) {
-        job.next = 0;
-        job.timing = true;
-    }
+    job.errors.push_back(accuracy::compare(job.mean->picture(*job.runtime), reference).light.rmse);
+    job.done = errors_part * static_cast<double>(job.errors.size()) / static_cast<double>(job.rungs.size());
     return true;
 }
 
-// One sample of one rung. Each round begins with another one.
-bool RungCosts::time_step(Runtime& runtime, const Frame& frame, bool cpu) {
+void RungCosts::begin_rounds(const accuracy::FrameClock& clock) {
     Job& job = *job_;
-    const std::size_t count = job.rungs.size();
-    const std::size_t which = (job.next + static_cast<std::size_t>(job.rounds)) % count;
-    Controls controls = frame.controls;
-    controls.rungs = job.rungs[which];
-    const Frame here{.time = frame.time, .view = frame.view, .controls = controls};
-    job.mean->restart();
-    // Not counted: others drew meanwhile, and caches and cube maps are theirs.
-    const double first = job.mean->add(runtime, here, cpu);
-    const int frames = std::clamp(static_cast<int>(std::ceil(shortest / std::max(first, .01))), 1, most_frames);
-    double sum = 0;
-    for (int i = 0; i < frames; ++i) sum += job.mean->add(runtime, here, cpu);
-    job.times[which].push_back(sum / frames);
-    job.spent += first + sum;
-    if (++job.next < count) return false;
-    job.next = 0;
-    if (++job.rounds == 1)
-        job.wanted =
-            std::clamp(static_cast<int>(budget / std::max(job.spent, 1.)),
-                       std::max(fewest_rounds, static_cast<int>(accuracy::rounds_for(job.names.size()))), most_rounds);
-    if (job.rounds == job.wanted) conclude();
-    return true;
+    std::vector<accuracy::Entrant> entrants;
+    for (std::size_t i = 0; i < job.rungs.size(); ++i) {
+        const auto timed = [&job, i](const auto& by) {
+            const Controls controls = job.controls(i);
+            const Frame frame{.time = job.frame->time, .view = job.frame->view, .controls = controls};
+            return by([&] { job.runtime->draw(frame, job.mean->surface()); });
+        };
+        entrants.push_back(
+            {[=, &clock](accuracy::ClockKind kind) {
+                 return std::optional(timed([&](const auto& draw) { return clock.warm_up(draw, kind); }));
+             },
+             [=, &clock](double least) { return timed([&](const auto& draw) { return clock.sample(draw, least); }); }});
+    }
+    job.rounds.emplace(std::move(entrants),
+                       accuracy::RoundOptions{.clock = clock.plain(),
+                                              .base = job.chosen,
+                                              .kept = job.chosen,
+                                              .everyone = true,
+                                              .rounds = most_rounds,
+                                              .at_least = shortest,
+                                              .seconds_left = [&job] { return budget - job.spent; },
+                                              .report =
+                                                  [&job](std::string_view doing, double done) {
+                                                      constexpr double warm = errors_part + warm_part;
+                                                      job.done = doing == "timing" ? warm + (1 - warm) * done
+                                                                                   : errors_part + warm_part * done;
+                                                  }});
 }
 
-void RungCosts::conclude() {
-    const Job job = std::move(*job_);
-    job_.reset();
-    const accuracy::Control control = accuracy::control(job.times[job.chosen], job.times.back());
+void RungCosts::conclude(accuracy::ClockKind clock) {
+    const std::unique_ptr<Job> job = std::move(job_);
+    const auto times = [&](const std::vector<accuracy::Times>& rounds) { return accuracy::by_clock(rounds, clock); };
+    const accuracy::Control control =
+        accuracy::control(times(job->rounds->times(job->chosen)), times(job->rounds->again()));
     std::vector<accuracy::Point> points;
-    for (std::size_t i = 0; i < job.errors.size(); ++i) points.push_back({job.errors[i], job.times[i]});
+    for (std::size_t i = 0; i < job->errors.size(); ++i)
+        points.push_back({job->errors[i], times(job->rounds->times(i))});
     const auto verdicts = accuracy::pareto_front(points, accuracy::costs_of(points, control.noise));
     for (std::size_t i = 0; i < points.size(); ++i) {
-        Known& known = known_[job.rungs[i]];
+        Known& known = known_[job->rungs[i]];
         known = {points[i].error, points[i].times, shown(verdicts[i].standing), {}};
-        if (verdicts[i].by < job.names.size()) known.by = job.names[verdicts[i].by];
+        if (verdicts[i].by < job->names.size()) known.by = job->names[verdicts[i].by];
     }
     remark_ = accuracy::noise_sentence(control);
 }

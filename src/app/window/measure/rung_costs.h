@@ -15,7 +15,8 @@ namespace snell {
 
 class RungCosts {
 public:
-    using SampleMean = accuracy::SampleMean;
+    RungCosts();
+    ~RungCosts();
 
     // Discards all results; call it when something other than the rungs changes.
     void forget();
@@ -26,12 +27,12 @@ public:
     // interleaved rounds.
     void begin(std::size_t ladder, const Scene& scene, const Rungs& chosen);
     void stop();
-    bool measuring() const { return job_.has_value(); }
+    bool measuring() const { return job_ != nullptr; }
     double done() const;  // 0..1
-    // Draws one or two pictures with a runtime that nothing else uses. `reference` must have as many samples as
+    // Draws one sample of one rung with a runtime that nothing else uses. `reference` must have as many samples as
     // `samples`; the rungs in `frame` are ignored. Returns true if there are new results.
     bool step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples,
-              const gl::Caps& caps);
+              const accuracy::FrameClock& clock, bool es);
 
     // The results as points of a plot of that ladder.
     std::vector<ui::AccuracyPoint> points(const Scene& scene, std::size_t ladder, const Rungs& chosen) const;
@@ -45,24 +46,13 @@ private:
         ui::AccuracyPoint::Standing standing = ui::AccuracyPoint::Standing::visited;
         std::string by;
     };
-    struct Job {
-        std::vector<std::string> names;          // of the ladder's rungs
-        std::size_t chosen = 0;                  // index into `names`
-        std::vector<Rungs> rungs;                // in the order of `names`, then the chosen one again as the control
-        std::vector<double> errors;              // in the order of `names`
-        std::vector<std::vector<double>> times;  // in the order of `rungs`, by round
-        std::size_t next = 0;                    // index into `rungs`
-        bool timing = false;
-        int rounds = 0, wanted = 21;
-        double spent = 0;  // in milliseconds
-        std::unique_ptr<SampleMean> mean;
-    };
-    bool error_step(Runtime& runtime, const Frame& frame, const accuracy::Picture& reference, int samples, bool cpu);
-    bool time_step(Runtime& runtime, const Frame& frame, bool cpu);
-    void conclude();
+    struct Job;
+    bool error_step(const accuracy::Picture& reference, int samples, const accuracy::FrameClock& clock);
+    void begin_rounds(const accuracy::FrameClock& clock);
+    void conclude(accuracy::ClockKind clock);
 
     std::map<Rungs, Known> known_;
-    std::optional<Job> job_;
+    std::unique_ptr<Job> job_;
     std::string remark_;
 };
 
