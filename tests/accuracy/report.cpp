@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace snell::test {
 namespace {
@@ -100,6 +102,36 @@ TEST(Report, TooFewRoundsHaveNoInterval) {
     const std::string csv = csv_text(report), first = "\n\"a, \"\"b\"\".glib\",L,'=rung,1,1,";
     EXPECT_NE(csv.find(first), std::string::npos) << csv;
     EXPECT_NE(csv.find(",3,process CPU time,3,0,,,2,,,3,,,0,"), std::string::npos) << csv;
+}
+
+TEST(Report, WhatWasNotTimedHasNoClock) {
+    SweepResult sweep = sweep_of_two_rungs();
+    sweep.rungs[0].cpu = sweep.rungs[0].wall = std::vector<double>(31, 2.);
+    sweep.clock = ClockKind::cpu;
+    conclude(sweep, sweep.rungs[0].cpu);
+    std::istringstream lines(csv_text({.sweeps = {sweep}}));
+    std::vector<std::map<std::string, std::string>> rows;
+    std::vector<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream cells(line);
+        std::vector<std::string> row;
+        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+        if (names.empty()) {
+            names = row;
+            continue;
+        }
+        rows.emplace_back();
+        for (std::size_t i = 0; i < row.size(); ++i) rows.back()[names[i]] = row[i];
+    }
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0]["clock"], "process CPU time");
+    EXPECT_EQ(rows[0]["aa_control_ratio"], "1");
+    EXPECT_EQ(rows[0]["noisy"], "0");
+    for (const auto& [name, value] : rows[1]) {
+        const bool of_time = name == "clock" || name == "noisy" || name.starts_with("aa_control") ||
+                             name.starts_with("ms_") || name.starts_with("cpu_");
+        EXPECT_TRUE(!of_time || value.empty()) << name << " is " << value;
+    }
 }
 
 TEST(Report, UnknownNumbersAreQuestionMarks) {

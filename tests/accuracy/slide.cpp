@@ -353,6 +353,24 @@ TEST(Slide, HasTimesIfAnythingHas) {
     EXPECT_NE(slide.plot.stamp.find("left out: 1 found in smaller pictures"), std::string::npos) << slide.plot.stamp;
 }
 
+// The found rungs had few rounds; the ladder, whose first rung is the scene as it is, had enough.
+TEST(Slide, FrontOfALadderStaysWhereFoundRungsHaveNone) {
+    Report report = with_found(10, {{"8 slices", 5, .1}, {"scene", 10, 0}});
+    SweepResult &ladder = report.sweeps[0], &timed = report.found[0].timed;
+    ladder.rungs[1].verdict = {Standing::saves_none, 0};
+    ladder.rungs[0].picture = timed.rungs[1].picture;
+    timed.few_rounds = true;
+    const Slide slide = slide_of(report);
+    std::set<std::string> names, front;
+    for (const PlotPoint& point : slide.plot.points) {
+        names.insert(point.name);
+        if (point.front) front.insert(point.name);
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"8 slices", "the scene: rough", "exact"}));
+    EXPECT_EQ(front, (std::set<std::string>{"the scene: rough"}));
+    EXPECT_EQ(slide.plot.stamp.find("no front"), std::string::npos) << slide.plot.stamp;
+}
+
 TEST(Slide, WhatNobodyTakesIsLeftOut) {
     Report report = with_found(8, {{"8 slices", 5, .1}, {"ruin", 2, .3}, {"scene", 10, 0}});
     for (RungResult& rung : report.found[0].timed.rungs) rung.flip = rung.name == "ruin" ? .2 : .05;

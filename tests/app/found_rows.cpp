@@ -51,5 +51,21 @@ TEST(FoundRows, WhatIsLoadedForNothingIsPassedOn) {
     EXPECT_EQ(found_rows(unused.result, unused.sources, false).at(0).loading, 286);
 }
 
+TEST(FoundRows, TwoOfALineAreToldApart) {
+    OneRung found(accuracy::Aim::cheaper);
+    const FileId file = found.sources.add("b.frag", "i < 8; j < 8;");
+    for (const std::uint32_t at : {0U, 7U}) {
+        found.result.changes.push_back(
+            {.kind = accuracy::ChangeKind::fewer_rounds, .where = {file, at, at + 5}, .before = "", .after = ""});
+        found.result.positions.push_back("b.frag:1:" + std::to_string(at + 1));
+        found.result.rungs.push_back(found.result.rungs[0]);
+        found.result.rungs.back().changes = {found.result.changes.size() - 1};
+        found.result.rungs.back().name = std::to_string(found.result.changes.size());
+    }
+    std::vector<std::string> places;
+    for (const ui::FoundRow& row : found_rows(found.result, found.sources, false)) places.push_back(row.where);
+    EXPECT_EQ(places, (std::vector<std::string>{"a.frag:1", "b.frag:1:1", "b.frag:1:8"}));
+}
+
 }  // namespace
 }  // namespace snell

@@ -223,6 +223,15 @@ TEST_F(Accuracy, ValuesThatAreNoneAreErrors) {
     }
 }
 
+TEST_F(Accuracy, LimitsOfValuesAreShort) {
+    for (const char* const option : {"--error -1", "--within -1", "--budget -1", "--reps -1"}) {
+        EXPECT_EQ(run(option), 2) << option;
+        const std::string said = text("err.txt");
+        EXPECT_NE(said.find("-1"), std::string::npos) << said;
+        EXPECT_LT(said.size(), 200U) << said;
+    }
+}
+
 TEST_F(Accuracy, AShaderThatDoesNotCompileEndsItAtOnce) {
     folder.write("lit.frag", "void main() { gl_FragColor = vec4(oops); }");
     const auto begun = std::chrono::steady_clock::now();

@@ -46,13 +46,13 @@ TEST_F(GradeClass, EveryEntryHasARow) {
     for (const char* junk : {".DS_Store", "Thumbs.db", "__MACOSX/ball.glib", "~$leo.docx"})
         folder.write(std::string("s/") + junk, "x");
     const std::string all =
-        "ann:2 bob:2 broken:0 empty:0 kim.pdf:0 leo.docx:0 linked:2 lone.frag:0 same:0 zero:0 zero:0 ";
+        "ann:2 bob:2 broken:0 empty:0 kim.pdf:0 leo.docx:0 linked:2 lone.frag:0 same:0 zero.glib:0 zero.zip:0 ";
     EXPECT_EQ(rows(), all) << said;
     EXPECT_NE(problem("empty").find("there is no scene"), std::string::npos);
     EXPECT_EQ(problem("kim.pdf"), "it is neither a folder, nor an archive, nor a scene (.glib)");
     EXPECT_EQ(problem("same"), "it is a link to 'ann', which is judged as 'ann'");
     EXPECT_EQ(problem("broken"), "it is a link to 'nowhere', which is not there");
-    EXPECT_EQ(problem("zero"), "it is an empty file");
+    EXPECT_EQ(problem("zero.zip"), "it is an empty file");
     // The reasons are where a lecturer looks, and so is what has no row.
     for (const std::string reason : {"it is a link to &#39;nowhere&#39;", "it is an empty file"})
         EXPECT_NE(bytes_of(at("out/index.html")).find(reason), std::string::npos) << reason;

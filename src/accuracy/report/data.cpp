@@ -16,14 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<double> present(const std::vector<double>& times) {
-    std::vector<double> result;
-    for (double t : times)
-        if (t > 0) result.push_back(t);
-    return result;
-}
-
-Interval interval(const std::vector<double>& times) { return median_interval(present(times)); }
+Interval interval(const std::vector<double>& times) { return median_interval(taken(times)); }
 
 Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t index) {
     Json json{{"rung", rung.name},
@@ -37,9 +30,9 @@ Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t ind
         json["ms"] = interval_json({rung.low, rung.milliseconds, rung.high});
         json["ratio_to_current"] = interval_json(rung.ratio);
         json["cost"] = name(sweep.costs.of(index, sweep.sweep.current));
-        json["cpu_ms"] = present(rung.cpu);
-        json["wall_ms"] = present(rung.wall);
-        if (!present(rung.gpu).empty()) json["gpu_ms"] = present(rung.gpu);
+        json["cpu_ms"] = taken(rung.cpu);
+        json["wall_ms"] = taken(rung.wall);
+        if (!taken(rung.gpu).empty()) json["gpu_ms"] = taken(rung.gpu);
     }
     json["own"] = error_json(rung.own);
     json["whole"] = error_json(rung.whole);
@@ -78,9 +71,7 @@ struct Row {
     const RungResult& rung = sweep.rungs[index];
     bool timed() const { return rung.rounds > 0; }
     std::string standing() const { return found_standing ? *found_standing : standing_text(sweep, rung); }
-    const std::vector<double>& times() const {
-        return sweep.clock == ClockKind::cpu ? rung.cpu : sweep.clock == ClockKind::gpu ? rung.gpu : rung.wall;
-    }
+    const std::vector<double>& times() const { return rung.times(sweep.clock); }
 };
 
 bool on_front(const SweepResult& sweep, const RungResult& rung) {
@@ -105,9 +96,9 @@ constexpr Column columns[]{
     {"from", [](const Row& r) { return cell(r.where.from); }, always, words},
     {"tuple", [](const Row& r) { return fmt::format("{}", fmt::join(r.rung.steps, " ")); }},
     {"n_rounds", [](const Row& r) { return cell(r.rung.rounds); }},
-    {"clock", [](const Row& r) { return cell(name(r.sweep.clock)); }, always, words},
+    {"clock", [](const Row& r) { return cell(name(r.sweep.clock)); }, timed, words},
     {"ms_median", [](const Row& r) { return cell(r.rung.milliseconds); }, timed},
-    {"ms_mad", [](const Row& r) { return cell(mad(present(r.times()))); }, timed},
+    {"ms_mad", [](const Row& r) { return cell(mad(taken(r.times()))); }, timed},
     {"ms_lo95", [](const Row& r) { return low_cell(interval(r.times())); }, timed},
     {"ms_hi95", [](const Row& r) { return high_cell(interval(r.times())); }, timed},
     {"ratio", [](const Row& r) { return cell(r.rung.ratio.middle); }, timed},
@@ -116,14 +107,14 @@ constexpr Column columns[]{
     {"cpu_ms_median", [](const Row& r) { return cell(interval(r.rung.cpu).middle); }, timed},
     {"cpu_lo95", [](const Row& r) { return low_cell(interval(r.rung.cpu)); }, timed},
     {"cpu_hi95", [](const Row& r) { return high_cell(interval(r.rung.cpu)); }, timed},
-    {"cpu_cv", [](const Row& r) { return cell(variation(present(r.rung.cpu))); }, timed},
-    {"wall_ms_median", [](const Row& r) { return cell(median(present(r.rung.wall))); }, timed},
-    {"wall_cv", [](const Row& r) { return cell(variation(present(r.rung.wall))); }, timed},
-    {"gpu_ms_median", [](const Row& r) { return cell(median(present(r.rung.gpu))); }, timed},
-    {"aa_control_ratio", [](const Row& r) { return cell(r.sweep.control.ratio.middle); }},
-    {"aa_control_lo95", [](const Row& r) { return low_cell(r.sweep.control.ratio); }},
-    {"aa_control_hi95", [](const Row& r) { return high_cell(r.sweep.control.ratio); }},
-    {"noisy", [](const Row& r) { return cell(!r.sweep.trusted()); }},
+    {"cpu_cv", [](const Row& r) { return cell(variation(taken(r.rung.cpu))); }, timed},
+    {"wall_ms_median", [](const Row& r) { return cell(median(taken(r.rung.wall))); }, timed},
+    {"wall_cv", [](const Row& r) { return cell(variation(taken(r.rung.wall))); }, timed},
+    {"gpu_ms_median", [](const Row& r) { return cell(median(taken(r.rung.gpu))); }, timed},
+    {"aa_control_ratio", [](const Row& r) { return cell(r.sweep.control.ratio.middle); }, timed},
+    {"aa_control_lo95", [](const Row& r) { return low_cell(r.sweep.control.ratio); }, timed},
+    {"aa_control_hi95", [](const Row& r) { return high_cell(r.sweep.control.ratio); }, timed},
+    {"noisy", [](const Row& r) { return cell(!r.sweep.trusted()); }, timed},
     {"rmse_light", [](const Row& r) { return cell(r.rung.own.light.rmse); }, drawn},
     {"psnr_light_db", [](const Row& r) { return cell(r.rung.own.light.psnr); }, drawn},
     {"max_abs_light", [](const Row& r) { return cell(r.rung.own.light.max); }, drawn},

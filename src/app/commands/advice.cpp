@@ -235,8 +235,8 @@ void add_advice(CLI::App& command, AccuracyOptions& options, CLI::Option& untime
         ->check(check_milliseconds)
         ->excludes(&untimed);
     command.add_option("--error", options.error, "find the cheapest combination with no more RMSE of light")
-        ->check(CLI::NonNegativeNumber)
         ->check(check_finite_number)
+        ->check(CLI::Range(0., 1e6))
         ->excludes(&untimed);
     command.add_flag("--save-quality", options.save_quality, "find presets for --quality, stored next to the scene")
         ->excludes(&untimed);

@@ -152,6 +152,15 @@ std::string shown_name(const fs::path& path) {
     return utf8::printable((tar ? last.stem() : last).stem().string());
 }
 
+// Names of folders, archives and scenes that are equal get their endings.
+void name_apart(std::vector<Submission>& submissions) {
+    std::map<std::string, std::size_t> names;
+    for (const Submission& submission : submissions) ++names[submission.name];
+    for (Submission& submission : submissions)
+        if (names[submission.name] > 1)
+            submission.name = utf8::printable(fs::path(submission.path).filename().string());
+}
+
 // Letters, digits and some signs, so that it is a name on every file system and in every address.
 std::string safe_name(const std::string& name) {
     std::string safe;
@@ -264,6 +273,7 @@ std::optional<Submissions> find_submissions(const std::vector<std::string>& argu
         complain("there is nothing to grade", "name folders, archives or scenes, or one folder that holds them");
         return std::nullopt;
     }
+    name_apart(found.all);
     std::sort(found.all.begin(), found.all.end(), [](const Submission& a, const Submission& b) {
         return std::tie(a.name, a.path) < std::tie(b.name, b.path);
     });

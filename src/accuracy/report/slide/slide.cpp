@@ -114,12 +114,25 @@ bool same_picture(const RungResult& a, const RungResult& b) {
     return !a.picture.rgba.empty() && a.picture == b.picture;
 }
 
+constexpr std::string_view the_scene = "the scene";
+
 // The same combination occurs in several sweeps, such as the last rungs of all ladders, and the scene as it is.
-bool already_there(const std::vector<SlideRung>& rungs, const SweepResult& sweep, std::size_t rung) {
-    return ranges::any_of(rungs, [&](const SlideRung& other) {
+SlideRung* already_there(std::vector<SlideRung>& rungs, const SweepResult& sweep, std::size_t rung) {
+    const auto same = ranges::find_if(rungs, [&](const SlideRung& other) {
         return other.sweep != &sweep && same_picture(other.result(), sweep.rungs[rung]) &&
                same_variant(*other.sweep, other.rung, sweep, rung);
     });
+    return same == rungs.end() ? nullptr : &*same;
+}
+
+// The scene as it is has the names of the ladders' rungs, too. It is judged by the first table that has a front.
+void add_table(SlideRung& known, const SweepResult& sweep, std::size_t rung) {
+    const RungResult& result = sweep.rungs[rung];
+    if (sweep.sweep.kind == SweepKind::ladder && known.point.name.starts_with(the_scene))
+        known.point.name += (known.point.name == the_scene ? ": " : ", ") + result.name;
+    if (known.sweep->trusted() || !sweep.trusted() || !known.timed() || result.rounds == 0) return;
+    known.sweep = &sweep;
+    known.rung = rung;
 }
 
 // The time that the ratios of the sweep are times of. Tables are measured at different moments, so it is that of a rung
@@ -151,7 +164,7 @@ bool mere_number(std::string_view name) {
 }
 
 std::string name_of(const Shown& shown, const SweepResult& sweep, std::size_t rung) {
-    return shown.is_found(sweep) && rung == sweep.sweep.current ? "the scene" : sweep.rungs[rung].name;
+    return shown.is_found(sweep) && rung == sweep.sweep.current ? std::string(the_scene) : sweep.rungs[rung].name;
 }
 
 // Puts the name of the sweep before names that occur in several, or say nothing alone.
@@ -169,9 +182,11 @@ std::vector<SlideRung> rungs_of(const Shown& shown) {
         const Interval time = base_time(result, *sweep);
         for (std::size_t i = 0; i < sweep->rungs.size(); ++i) {
             const RungResult& rung = sweep->rungs[i];
-            if (!rung.drawn || std::isnan(rung.whole.light.rmse) || plainly_visible(*sweep, i) ||
-                already_there(result, *sweep, i))
+            if (!rung.drawn || std::isnan(rung.whole.light.rmse) || plainly_visible(*sweep, i)) continue;
+            if (SlideRung* known = already_there(result, *sweep, i)) {
+                add_table(*known, *sweep, i);
                 continue;
+            }
             SlideRung entry{sweep, i, {}};
             entry.point.name = name_of(shown, *sweep, i);
             entry.point.error = std::max(shown.error(*sweep, i), shown.floor);
@@ -290,10 +305,12 @@ std::string left_out(const Report& report, const Shown& shown) {
     return text;
 }
 
-std::string why_no_front(const Slide& slide, const SweepResult& main) {
+std::string why_no_front(const Slide& slide, const Shown& shown) {
     if (slide.plot.points.empty()) return "no times were measured";
     if (ranges::any_of(slide.plot.points, &PlotPoint::front)) return {};
-    return main.few_rounds ? "too few rounds: no front" : "no front";
+    const bool few =
+        ranges::none_of(shown.sweeps, [](const SweepResult* of) { return has_times(*of) && !of->few_rounds; });
+    return few ? "too few rounds: no front" : "no front";
 }
 
 }  // namespace
@@ -314,7 +331,7 @@ Slide slide_of(const Report& report) {
     slide.plot.errors = "error of light (RMSE)";
     slide.plot.times = fmt::format("time of a frame, ms ({})", name(main.clock));
     slide.plot.floor_words = "residual of the reference";
-    slide.plot.stamp = why_no_front(slide, main);
+    slide.plot.stamp = why_no_front(slide, shown);
     if (const std::string without = left_out(report, shown); !slide.plot.points.empty() && !without.empty())
         slide.plot.stamp += (slide.plot.stamp.empty() ? "" : "; ") + without;
     return slide;

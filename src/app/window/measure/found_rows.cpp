@@ -90,6 +90,12 @@ std::vector<ui::FoundRow> found_rows(const FoundResult& result, const Sources& s
             row.remark = utf8::printable(standing_of(result, rung));
         rows.push_back(std::move(row));
     }
+    const std::vector<ui::FoundRow> all = rows;
+    for (ui::FoundRow& row : rows)
+        if (ranges::any_of(all, [&](const ui::FoundRow& other) {
+                return other.name != row.name && other.kind == row.kind && other.where == row.where;
+            }))
+            row.where += fmt::format(":{}", row.place.column);
     ranges::stable_sort(
         rows, {}, [](const ui::FoundRow& row) { return std::tuple(row.group, !row.front, row.front ? row.ratio : 0); });
     return rows;
