@@ -49,7 +49,8 @@ enum class Topology : std::uint8_t {
 };
 
 // Each shape names its command and lists its fields once, in the order of its statement. All that is generic about
-// shapes comes from these two: text, dumps, identity, and the knob that makes round shapes finer.
+// shapes comes from these two: text, dumps, identity, and the knob that makes round shapes finer. `solid`: from
+// outside, only its outside is seen.
 
 // A number of straight parts that together approximate something round.
 template <class Shape>
@@ -62,6 +63,7 @@ RoundParts(int Shape::*) -> RoundParts<Shape>;
 struct Sphere {
     double radius = 1;
     int slices = 60, stacks = 60;
+    static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Sphere"; }
     static constexpr auto fields() {
         return std::tuple{&Sphere::radius, RoundParts{&Sphere::slices}, RoundParts{&Sphere::stacks}};
@@ -70,6 +72,7 @@ struct Sphere {
 struct Torus {
     double outer = 1, inner = .5;
     int sides = 20, rings = 40;
+    static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Torus"; }
     static constexpr auto fields() {
         return std::tuple{&Torus::outer, &Torus::inner, RoundParts{&Torus::sides}, RoundParts{&Torus::rings}};
@@ -78,6 +81,7 @@ struct Torus {
 struct Cone {
     double radius = 1, height = 1;
     int slices = 60, stacks = 1;
+    static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Cone"; }
     static constexpr auto fields() {
         return std::tuple{&Cone::radius, &Cone::height, RoundParts{&Cone::slices}, &Cone::stacks};
@@ -86,6 +90,7 @@ struct Cone {
 struct Cylinder {
     double radius = 1, height = 1;
     int slices = 60, stacks = 1;
+    static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Cylinder"; }
     static constexpr auto fields() {
         return std::tuple{&Cylinder::radius, &Cylinder::height, RoundParts{&Cylinder::slices}, &Cylinder::stacks};
@@ -93,16 +98,19 @@ struct Cylinder {
 };
 struct Box {
     double dx = 2, dy = 2, dz = 2;
+    static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Box"; }
     static constexpr auto fields() { return std::tuple{&Box::dx, &Box::dy, &Box::dz}; }
 };
 struct Teapot {
+    static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Teapot"; }
     static constexpr auto fields() { return std::tuple{}; }
 };
 struct Disk {
     double z = 0, radius = 1;
     int slices = 60, rings = 1;
+    static constexpr bool solid = false;
     static constexpr std::string_view command() { return "DiskXY"; }
     static constexpr auto fields() {
         return std::tuple{&Disk::z, &Disk::radius, RoundParts{&Disk::slices}, &Disk::rings};
@@ -114,6 +122,7 @@ struct Quad {
     Plane plane = Plane::xy;
     double offset = 0, size = 1;
     int n1 = 1, n2 = 1;
+    static constexpr bool solid = false;
     constexpr std::string_view command() const {
         return plane == Plane::xy ? "QuadXY" : plane == Plane::xz ? "QuadXZ" : "QuadYZ";
     }
@@ -121,22 +130,26 @@ struct Quad {
 };
 struct QuadBox {
     int n = 10;
+    static constexpr bool solid = false;
     static constexpr std::string_view command() { return "QuadBox"; }
     static constexpr auto fields() { return std::tuple{&QuadBox::n}; }
 };
 struct Soccerball {
     double radius = 1;
+    static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Soccerball"; }
     static constexpr auto fields() { return std::tuple{&Soccerball::radius}; }
 };
 struct PointCloud {
     int nx = 10, ny = 10, nz = 10;
     bool jitter = false;
+    static constexpr bool solid = false;
     constexpr std::string_view command() const { return jitter ? "JitterCloud" : "PointCloud"; }
     static constexpr auto fields() { return std::tuple{&PointCloud::nx, &PointCloud::ny, &PointCloud::nz}; }
 };
 struct Xarrow {
     int n = 100;
+    static constexpr bool solid = false;
     static constexpr std::string_view command() { return "Xarrow"; }
     static constexpr auto fields() { return std::tuple{RoundParts{&Xarrow::n}}; }
 };
@@ -144,6 +157,7 @@ enum class ObjAs : std::uint8_t { triangles, adjacency, patches };
 struct ObjFile {
     Index file = none;  // Scene::files
     ObjAs as = ObjAs::triangles;
+    static constexpr bool solid = true;  // mostly
     constexpr std::string_view command() const {
         return as == ObjAs::adjacency ? "ObjAdj" : as == ObjAs::patches ? "ObjPatch" : "Obj";
     }
@@ -151,11 +165,13 @@ struct ObjFile {
 };
 struct ShpFile {
     Index file = none;  // Scene::files
+    static constexpr bool solid = false;
     static constexpr std::string_view command() { return "Shp"; }
     static constexpr auto fields() { return std::tuple{&ShpFile::file}; }
 };
 struct VertexList {
     Index list = none;  // Scene::vertex_lists
+    static constexpr bool solid = false;
     static constexpr std::string_view command() { return "glBegin"; }
     static constexpr auto fields() { return std::tuple{&VertexList::list}; }
 };

@@ -173,17 +173,8 @@ private:
         return edits;
     }
 
-    // Solids, whose outside alone is seen from outside. Files of triangles mostly are.
     static bool solid(const Draw& draw) {
-        return !draw.wire && std::visit(
-                                 [](const auto& shape) {
-                                     using S = std::decay_t<decltype(shape)>;
-                                     return std::is_same_v<S, Sphere> || std::is_same_v<S, Torus> ||
-                                            std::is_same_v<S, Cone> || std::is_same_v<S, Cylinder> ||
-                                            std::is_same_v<S, Box> || std::is_same_v<S, Teapot> ||
-                                            std::is_same_v<S, Soccerball> || std::is_same_v<S, ObjFile>;
-                                 },
-                                 draw.shape);
+        return !draw.wire && std::visit([](const auto& shape) { return shape.solid; }, draw.shape);
     }
 
     bool readable(const Draw& draw) const { return draw.program == none || plan_.programs[draw.program].readable; }
