@@ -91,7 +91,6 @@ TEST(Words, SayWhatChanges) {
     EXPECT_EQ(words_for(lookup_mean, "texture( uRoom, look )", "vec4(0.4, 0.3, 0.2, 1.)"), "uRoom as its mean");
     EXPECT_EQ(words_for(expression_mean, "room( vPosition, mirrored )", "vec3(…)"), "room as its mean");
     EXPECT_EQ(words_for(expression_mean, ".5 + cos( x )", "float(…)"), ".5 + cos( x ) as its mean");
-    EXPECT_EQ(words_for(lookup_coarser, "texture( a, st )", "texture( a, st , 2.)", {{{}, ", 2."}}), "a much coarser");
     EXPECT_EQ(words_for(per_vertex, "normalize( vNormal )", "vFound_83"), "normalize per vertex");
     EXPECT_EQ(words_for(no_uniform, "uRoom 6", ""), "without uRoom");
     EXPECT_EQ(words_for(exact_fresnel, "a", "b"), "exact fresnel");

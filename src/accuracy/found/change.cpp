@@ -20,7 +20,6 @@ constexpr std::array<KindFacts, static_cast<std::size_t>(ChangeKind::count)> tab
     {ChangeKind::fewer_rounds, Aim::cheaper, "fewer-rounds", "a loop goes round less often"},
     {ChangeKind::without_term, Aim::cheaper, "without-term", "a term of a sum or a blend is left out"},
     {ChangeKind::lookup_mean, Aim::cheaper, "lookup-mean", "a texture lookup is replaced by the texture's mean"},
-    {ChangeKind::lookup_coarser, Aim::cheaper, "lookup-coarser", "a texture is looked up at a coarser level"},
     {ChangeKind::expression_mean, Aim::cheaper, "expression-mean", "an expression is replaced by its mean"},
     {ChangeKind::polynomial, Aim::cheaper, "polynomial", "a function is replaced by a polynomial with a bound"},
     {ChangeKind::per_vertex, Aim::cheaper, "per-vertex", "work moves from the fragment to the vertex shader"},
@@ -228,9 +227,6 @@ std::string words(const Change& change) {
             return "only " + short_text(after);
         case ChangeKind::lookup_mean:
             return looked_up(before) + " as its mean";
-        case ChangeKind::lookup_coarser:
-            return looked_up(before) +
-                   (change.edits.empty() || change.edits[0].text != ", 2." ? " coarser" : " much coarser");
         case ChangeKind::expression_mean:
             return expression_words(before) + " as its mean";
         case ChangeKind::polynomial:

@@ -31,7 +31,6 @@ enum class ChangeKind : std::uint8_t {
     fewer_rounds,
     without_term,
     lookup_mean,
-    lookup_coarser,
     expression_mean,
     polynomial,
     per_vertex,

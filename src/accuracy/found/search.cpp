@@ -25,11 +25,11 @@ constexpr double visible_error = .016;  // RMSE of light, for someone who looks 
 constexpr double least_saving = .97;    // ratio of times, by a few frames: less is noise
 constexpr double least_saving_more = .98;
 // What most often saves much is tried first: there may be no time for the rest.
-constexpr std::array promising{ChangeKind::culled,         ChangeKind::fewer_cells,   ChangeKind::fewer_slices,
-                               ChangeKind::lower_levels,   ChangeKind::fewer_rounds,  ChangeKind::smaller_noise,
-                               ChangeKind::fewer_texels,   ChangeKind::less_filtered, ChangeKind::expression_mean,
-                               ChangeKind::lookup_mean,    ChangeKind::per_frame,     ChangeKind::per_vertex,
-                               ChangeKind::lookup_coarser, ChangeKind::without_term,  ChangeKind::polynomial};
+constexpr std::array promising{ChangeKind::culled,       ChangeKind::fewer_cells,   ChangeKind::fewer_slices,
+                               ChangeKind::lower_levels, ChangeKind::fewer_rounds,  ChangeKind::smaller_noise,
+                               ChangeKind::fewer_texels, ChangeKind::less_filtered, ChangeKind::expression_mean,
+                               ChangeKind::lookup_mean,  ChangeKind::per_frame,     ChangeKind::per_vertex,
+                               ChangeKind::without_term, ChangeKind::polynomial};
 constexpr std::size_t most_held_out = 16, most_kept = 32;
 
 }  // namespace

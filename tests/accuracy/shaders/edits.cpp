@@ -303,15 +303,6 @@ TEST_F(FoundShaders, BlendsBecomeEitherSide) {
 constexpr std::string_view sampled =
     "uniform sampler2D uTexUnit;\nvarying vec2 vST;\nvoid main() {\n    gl_FragColor = texture2D(uTexUnit, vST);\n}\n";
 
-TEST_F(FoundShaders, LookupsAtCoarserLevels) {
-    EXPECT_EQ(shaders(sampled, "uTexUnit 5", "Filter mipmap\nTexture2D 5 64 64").lines(lookup_coarser),
-              (Lines{"texture2D(uTexUnit, vST) → texture2D(uTexUnit, vST, 1.)",
-                     "texture2D(uTexUnit, vST) → texture2D(uTexUnit, vST, 2.)"}));
-    EXPECT_EQ(shaders(sampled, "uTexUnit 5", "Filter linear\nTexture2D 5 64 64").lines(lookup_coarser), Lines{})
-        << "there are no levels";
-    EXPECT_EQ(shaders(sampled, "uTexUnit 5").lines(lookup_coarser), Lines{}) << "there is no texture";
-}
-
 // A bitmap of 2 by 1 pixels: (51, 102, 153) and (255, 0, 51).
 std::string bitmap() {
     const auto little = [](std::uint32_t n, int bytes) {

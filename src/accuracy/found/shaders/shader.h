@@ -148,8 +148,7 @@ private:
 void add_rounds(const Shader& shader, Offers& offers);
 void add_lower_levels(const Shader& control, Offers& offers);
 void add_shorter_sums(const Shader& fragment, Offers& offers);
-// `elsewhere`: files that stages other than the fragment stage read, too.
-void add_lookups(const Shader& fragment, const std::set<FileId>& elsewhere, Means& means, Offers& offers);
+void add_lookups(const Shader& fragment, Means& means, Offers& offers);
 // Until there are most_expression_means in all, those of the stage that take most work. `changes`: known ones, which
 // have the means of textures. Their numbers are missing (Change::probes).
 void add_expression_means(const Shader& fragment, const std::vector<Change>& changes, Offers& offers);

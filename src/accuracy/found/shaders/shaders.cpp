@@ -26,7 +26,6 @@ public:
     }
 
     std::vector<Stages> programs;
-    std::set<FileId> elsewhere;  // files that are read by other stages than the fragment stage
     // The programs that read a file.
     std::map<FileId, std::set<Index>> readers;
 
@@ -34,10 +33,7 @@ private:
     void read(const PlannedProgram& planned) {
         for (const glsl::StageInput& stage : planned.stages) {
             auto shader = std::make_unique<Shader>(plan_, planned.program, stage, sources_, include_);
-            for (const FileId file : shader->files) {
-                readers[file].insert(planned.program);
-                if (stage.stage != Stage::fragment) elsewhere.insert(file);
-            }
+            for (const FileId file : shader->files) readers[file].insert(planned.program);
             programs.back().push_back(std::move(shader));
         }
     }
@@ -90,7 +86,7 @@ void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::v
             if (shader->unit.stage == Stage::tess_control) add_lower_levels(*shader, offers);
             if (!shader->fragment()) continue;
             add_shorter_sums(*shader, offers);
-            add_lookups(*shader, reader.elsewhere, means, offers);
+            add_lookups(*shader, means, offers);
             add_polynomials(*shader, offers);
             add_expression_means(*shader, found, offers);
         }

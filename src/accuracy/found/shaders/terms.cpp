@@ -184,8 +184,7 @@ std::string four_digits(double value) {
 
 class Lookups {
 public:
-    Lookups(const Shader& shader, const std::set<FileId>& elsewhere, Means& means, Offers& offers)
-        : s_(shader), elsewhere_(elsewhere), means_(means), offers_(offers) {}
+    Lookups(const Shader& shader, Means& means, Offers& offers) : s_(shader), means_(means), offers_(offers) {}
 
     void run() {
         for (int n = 0; n < s_.nodes() && !offers_.full(); ++n) {
@@ -198,8 +197,6 @@ public:
             const std::string_view type = s_.at(given[0]).type.name;
             if (type != "sampler2D" && type != "samplerCube") continue;
             const std::set<Index>& textures = textures_of(s_.bare(given[0]));
-            if (textures.empty()) continue;
-            if (call.text == "texture" && given.size() == 2) coarser(n, textures);
             if (textures.size() == 1 && !s_.in_free_loop(call.first)) mean(n, *textures.begin());
         }
     }
@@ -254,17 +251,6 @@ private:
         return true;
     }
 
-    void coarser(int call, const std::set<Index>& textures) {
-        const auto has_levels = [&](Index texture) {
-            const Filter::Mode mode = s_.plan.scene.textures[texture].filter.mode;
-            return mode == Filter::Mode::mipmap || mode == Filter::Mode::anisotropic;
-        };
-        const Span close = s_.span(s_.at(call).last, s_.at(call).last);
-        if (!ranges::all_of(textures, has_levels) || elsewhere_.contains(close.file)) return;
-        for (const std::string_view bias : {", 1.", ", 2."})
-            offers_.add(ChangeKind::lookup_coarser, s_.span(call), {insertion(close, close.begin, std::string(bias))});
-    }
-
     void mean(int call, Index texture) {
         const auto& mean = means_.of(texture);
         if (!mean) return;
@@ -275,7 +261,6 @@ private:
     }
 
     const Shader& s_;
-    const std::set<FileId>& elsewhere_;
     Means& means_;
     Offers& offers_;
     std::map<int, std::set<Index>> samplers_;  // by Code::variables
@@ -308,8 +293,6 @@ const std::optional<std::array<double, 4>>& Means::of(Index index) {
 
 void add_shorter_sums(const Shader& fragment, Offers& offers) { Sums(fragment, offers).run(); }
 
-void add_lookups(const Shader& fragment, const std::set<FileId>& elsewhere, Means& means, Offers& offers) {
-    Lookups(fragment, elsewhere, means, offers).run();
-}
+void add_lookups(const Shader& fragment, Means& means, Offers& offers) { Lookups(fragment, means, offers).run(); }
 
 }  // namespace snell::accuracy
