@@ -51,19 +51,22 @@ gl::Texture upload(const std::vector<glm::vec4>& values, int height) {
                             {gl::Sampling::Mode::nearest, 1, true});
 }
 
+std::string fragment_text(std::string_view head, std::string_view before, std::string_view body) {
+    return std::string(head) + expand(before) +
+           "\nuniform sampler2D argumentA, argumentB, argumentC;\nuniform samplerCube cube;\n"
+           "out vec4 result;\nvec4 function(vec4 a, vec4 b, vec4 c) {\n" +
+           std::string(body) +
+           "\n}\nvoid main() {\n    ivec2 at = ivec2(gl_FragCoord.xy);\n"
+           "    result = function(texelFetch(argumentA, at, 0), texelFetch(argumentB, at, 0), "
+           "texelFetch(argumentC, at, 0));\n}\n";
+}
+
 gl::Program build(std::string_view version, std::string_view before, std::string_view body) {
     const std::string head = std::string(version) + std::string(precisions);
     const gl::Compiled vertex = gl::compile(
         GL_VERTEX_SHADER,
         head + "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }");
-    std::string text = head + expand(before) +
-                       "\nuniform sampler2D argumentA, argumentB, argumentC;\nuniform samplerCube cube;\n"
-                       "out vec4 result;\nvec4 function(vec4 a, vec4 b, vec4 c) {\n" +
-                       std::string(body) +
-                       "\n}\nvoid main() {\n    ivec2 at = ivec2(gl_FragCoord.xy);\n"
-                       "    result = function(texelFetch(argumentA, at, 0), texelFetch(argumentB, at, 0), "
-                       "texelFetch(argumentC, at, 0));\n}\n";
-    const gl::Compiled fragment = gl::compile(GL_FRAGMENT_SHADER, text);
+    const gl::Compiled fragment = gl::compile(GL_FRAGMENT_SHADER, fragment_text(head, before, body));
     EXPECT_TRUE(vertex.shader) << vertex.log;
     EXPECT_TRUE(fragment.shader) << fragment.log;
     if (!vertex.shader || !fragment.shader) return {};
@@ -106,11 +109,24 @@ void LibraryTest::set_cube(const Colors& colors, int size) {
     cube = gl::make_texture(GL_TEXTURE_CUBE_MAP, texels, {gl::Sampling::Mode::nearest, 1, true});
 }
 
+void LibraryTest::expect_compiles_in_others(std::string_view before, std::string_view body) {
+    for (const Dialect& other : dialects) {
+        if (other.version == GetParam().version) continue;
+        const bool known = other.request.es ? epoxy_has_gl_extension("GL_ARB_ES3_2_compatibility")
+                                            : epoxy_gl_version() >= other.request.version;
+        if (!known) continue;
+        const gl::Compiled compiled = gl::compile(
+            GL_FRAGMENT_SHADER, fragment_text(std::string(other.version) + std::string(precisions), before, body));
+        EXPECT_TRUE(compiled.shader) << other.name << compiled.log;
+    }
+}
+
 std::vector<glm::vec4> LibraryTest::run(std::string_view before, std::string_view body,
                                         const std::vector<Arguments>& arguments) {
     const gl::Program program = build(GetParam().version, before, body);
     std::vector<glm::vec4> results(arguments.size(), glm::vec4(std::numeric_limits<float>::quiet_NaN()));
     if (!program) return results;
+    if (!GetParam().request.es) expect_compiles_in_others(before, body);
     const int height = (static_cast<int>(arguments.size()) + width - 1) / width;
     std::array<std::vector<glm::vec4>, 3> columns;
     for (auto& column : columns) column.resize(static_cast<std::size_t>(width * height));

@@ -55,12 +55,20 @@ protected:
     // Whether a fragment shader of this text (after the version line and precisions) compiles.
     testing::AssertionResult compiles(std::string_view version, std::string_view text);
 
+    // Whether the text that run() draws compiles in the dialects that this context knows beside its own.
+    void expect_compiles_in_others(std::string_view before, std::string_view body);
+
     std::unique_ptr<HeadlessContext> context;
     std::vector<std::string> complaints;
     gl::MessageReport report = [this](const char* message) { complaints.emplace_back(message); };
     gl::Texture cube;
 };
 
+// One compiler reads all dialects, and makes code that takes most of the time: of what is dear, the first dialect alone
+// is drawn, and all are compiled.
+#define SNELL_IN_THE_FIRST_DIALECT(Suite)                                           \
+    INSTANTIATE_TEST_SUITE_P(All, Suite, testing::Values(snell::test::dialects[0]), \
+                             [](const auto& dialect) { return std::string(dialect.param.name); })
 #define SNELL_IN_ALL_DIALECTS(Suite)                                               \
     INSTANTIATE_TEST_SUITE_P(All, Suite, testing::ValuesIn(snell::test::dialects), \
                              [](const auto& dialect) { return std::string(dialect.param.name); })

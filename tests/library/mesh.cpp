@@ -354,7 +354,7 @@ TEST(MeshRows, AreAsLongAsTheTexturesAreWide) {
     EXPECT_EQ(std::size_t{1} << std::stoul(text.substr(text.find(name) + name.size())), content::tree_row);
 }
 
-SNELL_IN_ALL_DIALECTS(LibraryMesh);
+SNELL_IN_THE_FIRST_DIALECT(LibraryMesh);
 
 }  // namespace
 }  // namespace snell::test
