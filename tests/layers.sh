@@ -28,9 +28,9 @@ complain "Cairo belongs to src/accuracy/report/slide/cairo" \
 complain "libarchive belongs to src/content/archive" \
   "$(code | grep -vE '^src/content/archive/' | xargs grep -nE '#include <archive')"
 complain "Dear ImGui belongs to src/ui" "$(code | grep -vE '^src/ui/' | xargs grep -nE '#include <imgui|#include <backends/imgui')"
-# src/app/grade/report_folder.cpp opens the file that it locks.
+# src/app/grade/record.cpp opens the file that it locks.
 complain "files are written by src/content/replace.cpp only, and by OpenImageIO beside their place: whole, or not at all" \
-  "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(content/(replace.cpp|oiio/oiio.cpp)|app/grade/report_folder.cpp)$' |
+  "$(find parser src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(content/(replace.cpp|oiio/oiio.cpp)|app/grade/record.cpp)$' |
      xargs grep -nE '\b(ofstream|fopen|freopen|mkstemp|creat)\b|\bO_(WRONLY|RDWR|CREAT)\b')"
 complain "no shell is called" "$(find parser src -name '*.h' -o -name '*.cpp' | xargs grep -nE '\b(system|popen|execl|execlp|execle|wordexp)\(|/bin/sh')"
 complain "the parser is the C++ standard library only, but for how doubles are read and written (parser/text/number.cpp)" \

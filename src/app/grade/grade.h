@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "src/app/grade/record.h"
-#include "src/app/grade/report_folder.h"
 #include "src/app/grade/rubric/rubric.h"
 #include "src/app/grade/submissions.h"
 #include "src/app/open/complain.h"

@@ -1,9 +1,15 @@
 #include "src/app/grade/record.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "src/content/files.h"
 #include "src/content/replace.h"
@@ -13,6 +19,7 @@ namespace snell::app {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 // A compact list, because there are thousands: the hash as text, which JSON's numbers could not hold.
@@ -95,7 +102,7 @@ Record unjudged(const Rubric& rubric, const std::string& why) {
     return record;
 }
 
-std::string record_file(const std::string& folder) { return (std::filesystem::path(folder) / "result.json").string(); }
+std::string record_file(const std::string& folder) { return (fs::path(folder) / "result.json").string(); }
 
 std::string write_record(const std::string& folder, const Record& record) {
     return content::replace_file(record_file(folder), content::json_text(record_json(record)) + '\n');
@@ -103,7 +110,7 @@ std::string write_record(const std::string& folder, const Record& record) {
 
 Record read_record(const std::string& folder, const Rubric& rubric) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(record_file(folder), error)) return {};
+    if (!fs::is_regular_file(record_file(folder), error)) return {};
     try {
         Record record = from_json(content::parse_json(content::whole_file(record_file(folder))));
         const bool fits = record.items.size() == rubric.items.size() && record.drawn.size() == rubric.pictures.size() &&
@@ -114,6 +121,110 @@ Record read_record(const std::string& folder, const Rubric& rubric) {
         return fits ? record : Record{};
     } catch (const nlohmann::json::exception&) {
         return {};
+    }
+}
+
+namespace {
+
+constexpr std::string_view lock_name = ".lock";
+
+Json record_in(const fs::path& folder) {
+    std::error_code error;
+    const std::string file = record_file(folder.string());
+    if (!fs::is_regular_file(file, error)) return {};
+    try {
+        Json json = content::parse_json(content::whole_file(file));
+        return json.is_object() && json.contains("schema") && json.contains("key") ? json : Json{};
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    }
+}
+
+// The record of a submission or the reference, and its pictures.
+bool is_made_by_judging(const std::string& name) {
+    if (name == "result.json") return true;
+    const std::size_t dash = name.find('-'), dot = name.rfind('.');
+    const std::string kind = name.substr(0, dash);
+    if (dash == name.npos || dot == name.npos || dot <= dash + 1 || name.substr(dot) != ".png") return false;
+    return (kind == "picture" || kind == "reference" || kind == "map") &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(dash) + 1,
+                       name.begin() + static_cast<std::ptrdiff_t>(dot), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_report_page(const fs::path& page) {
+    std::error_code error;
+    return fs::is_regular_file(page, error) &&
+           content::whole_file(page.string()).find("content=\"snell grade\"") != std::string::npos;
+}
+
+// A run that was killed has removed the record before it writes another, but not the page.
+bool is_of_a_submission(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
+    if (!record_in(folder).is_null()) return true;
+    return is_report_page(folder / "index.html");
+}
+
+std::vector<fs::path> entries(const fs::path& folder) {
+    std::vector<fs::path> paths;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        paths.push_back(entry->path());
+    return paths;
+}
+
+}  // namespace
+
+FolderLock lock_folder(const std::string& output) {
+    const FolderLock lock(new int(open((fs::path(output) / lock_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)),
+                          [](const int* file) {
+                              if (*file >= 0) close(*file);
+                              delete file;
+                          });
+    // The processes of a run that was killed end a moment after it.
+    for (int tries = 0; *lock >= 0 && flock(*lock, LOCK_EX | LOCK_NB) != 0; ++tries) {
+        if (errno == EINTR) continue;
+        if (errno != EWOULDBLOCK) break;
+        if (tries >= 20) return nullptr;
+        usleep(50'000);
+    }
+    return lock;
+}
+
+bool may_hold_report(const std::string& output) {
+    std::error_code error;
+    if (!fs::exists(output, error) || fs::is_empty(output, error)) return true;
+    const fs::path page = fs::path(output) / "index.html";
+    // A run that was killed has left no page, but made the lock before anything else.
+    return fs::exists(page, error) ? is_report_page(page) : fs::is_regular_file(fs::path(output) / lock_name, error);
+}
+
+void remove_judged(const std::string& folder) {
+    std::error_code error;
+    for (const fs::path& file : entries(folder))
+        if (is_made_by_judging(file.filename().string())) fs::remove(file, error);
+}
+
+std::string submission_in(const std::string& folder) {
+    const Json json = record_in(folder);
+    return json.is_object() && json.contains("submission") && json["submission"].is_string() ? json["submission"] : "";
+}
+
+void remove_pairs(const std::string& output) {
+    std::error_code error;
+    const fs::path folder = fs::path(output) / "similar";
+    for (const fs::path& page : entries(folder))
+        if (is_report_page(page)) fs::remove(page, error);
+    fs::remove(folder, error);  // if it is empty
+}
+
+void remove_former_students(const std::string& output, const std::set<std::string>& folders) {
+    std::error_code error;
+    for (const fs::path& folder : entries(fs::path(output) / "students")) {
+        if (folders.contains(folder.filename().string()) || !is_of_a_submission(folder)) continue;
+        remove_judged(folder.string());
+        fs::remove(folder / "index.html", error);
+        fs::remove(folder, error);  // if it is empty
     }
 }
 

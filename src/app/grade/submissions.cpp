@@ -13,7 +13,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/grade/find_scene.h"
-#include "src/app/grade/report_folder.h"
+#include "src/app/grade/record.h"
 #include "src/app/grade/unpack.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/version.h"

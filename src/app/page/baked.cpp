@@ -1,20 +1,60 @@
 #include "src/app/page/baked.h"
 
 #include <fmt/format.h>
+#include <stdlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/open/progress.h"
-#include "src/app/page/encoder.h"
 #include "src/app/picture/picture.h"
+#include "src/content/files.h"
+#include "src/content/replace.h"
 #include "src/plan/values/controls.h"
 
 namespace snell::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// OpenImageIO's writers need a file.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::error_code error;
+        std::string name = (fs::temp_directory_path(error) / "snell-page-XXXXXX").string();
+        if (mkdtemp(name.data())) path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code error;
+        if (!path_.empty()) fs::remove_all(path_, error);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::string& path() const { return path_; }  // empty if there is none
+
+private:
+    std::string path_;
+};
+
+}  // namespace
+
+EncodedPicture encoded(const content::Image& picture, bool lossless) {
+    if (lossless) return {content::encode_png(picture)};
+    const TemporaryFolder folder;
+    const std::string file = folder.path() + "/picture.webp";
+    std::string error =
+        folder.path().empty() ? "there is no folder for temporary files" : content::write_image(file, picture);
+    if (!error.empty()) return {{}, "webp", std::move(error)};
+    return {content::whole_file(file), "webp"};
+}
 
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include "src/app/open/ending.h"
 #include "src/app/page/scene_files.h"
+#include "src/content/image/image.h"
 #include "src/document/document.h"
 
 namespace snell::app {
@@ -32,5 +33,16 @@ struct Baked {
 // Draws every combination, each picture as `snell render --set` does. The context of `caps` must be current.
 Baked baked(Document& document, const View& view, const Baking& baking, const gl::Caps& caps, const Limits& limits,
             Deadline& deadline);
+
+// Pictures as bytes that browsers decode.
+
+struct EncodedPicture {
+    std::string bytes;
+    const char* extension = "png";  // "png" or "webp"
+    std::string error;              // "", or why there are no bytes
+};
+
+// Encodes as PNG, or as WebP, which takes a fifth, but shows sharp edges less exactly.
+EncodedPicture encoded(const content::Image& picture, bool lossless);
 
 }  // namespace snell::app

@@ -15,7 +15,7 @@
 #include "parser/text/words.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
-#include "src/app/page/encoder.h"
+#include "src/app/page/baked.h"
 #include "src/app/page/page.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"

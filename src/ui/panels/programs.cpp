@@ -1,19 +1,338 @@
+// The sections of the programs: a row for each uniform, with its name and what changes its value.
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
+#include <functional>
+#include <string_view>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/plan/values/declared.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
+#include "src/ui/kit/widgets.h"
 #include "src/ui/panels/panels.h"
-#include "src/ui/panels/rows.h"
 
 namespace snell::ui {
 
 namespace {
+
+// What all rows of one program have in common.
+struct Section {
+    const Facts& facts;
+    const Program& program;
+    bool linked;
+    Memory& memory;
+    Layout& layout;
+    float name_width = 0, number_width = 0;  // of the sliders' columns
+};
+
+constexpr double default_period = 4;  // seconds
+
+bool is_integral(ValueType type) {
+    return type == ValueType::int_ || type == ValueType::uint_ || type == ValueType::sampler;
+}
+
+std::string key_of(const Control& control) { return fmt::format("{}.{}", control.program, control.name); }
+
+bool is_logarithmic(const Control& control, const Section& section) {
+    const std::set<std::string>& chosen = section.memory.logarithmic;
+    return !chosen.empty() && control.min > 0 && chosen.contains(key_of(control));
+}
+
+// "uOffset.x" for a component of a vector.
+Text name_of(const Control& control, std::size_t component) {
+    Text name(control.name);
+    if (control.value.size() == 1) return name;
+    if (control.value.size() <= 4)
+        return std::move(name.append(".").append(std::string_view("xyzw").substr(component, 1)));
+    return std::move(name.add("[{}]", component));
+}
+
+Text shown_value(const Control& control, double value) {
+    return Text(shown(value, control.min, control.max, is_integral(control.type)));
+}
+
+void note_element(const Control& control, std::size_t i, const Section& section) {
+    if (control.value.size() == 1) return section.layout.note(section.program.name, control.name);
+    section.layout.note(section.program.name, Text("{}[{}]", control.name, i).view());
+}
+
+// Returns why a uniform has no effect; empty if it has one.
+std::string_view idle_reason(const Control& control, const Section& section) {
+    if (control.active) return {};
+    return section.linked ? "not used" : "the program did not compile or link";
+}
+
+Animated* motion_of(const Control& control, std::size_t component, Memory& memory) {
+    const auto found =
+        ranges::find_if(memory.animated, [&](const Animated& motion) { return motion.moves(control, component); });
+    return found == memory.animated.end() ? nullptr : &*found;
+}
+
+float dot_width() { return std::round(ImGui::GetFontSize() * .8F); }
+
+// Draws the column at the left of a row, and the next item follows at its right: a dot if the value is not the scene's,
+// a square while the slider moves by itself. Returns true if it was clicked.
+bool dot(bool changed, bool moving, const Text& initial) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size(dot_width(), ImGui::GetFrameHeight());
+    bool clicked = false;
+    if (changed || moving) {
+        clicked = ImGui::InvisibleButton("##dot", size);
+        tip(moving ? Text("Click to stop").view() : Text("Click to reset to {}", initial.view()).view());
+        const ImVec2 middle(std::round(at.x + size.x * .4F), at.y + size.y / 2);
+        const float reach = std::round(ImGui::GetFontSize() * .25F);
+        const ImU32 color = ImGui::GetColorU32(ImGui::IsItemHovered() ? palette().accent_pressed : palette().accent);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        if (moving)
+            list.AddRectFilled({middle.x - reach, middle.y - reach}, {middle.x + reach, middle.y + reach}, color);
+        else
+            list.AddCircleFilled(middle, reach, color);
+    } else {
+        ImGui::Dummy(size);
+    }
+    ImGui::SameLine(0, 0);
+    return clicked;
+}
+
+// The dot of all components.
+void dot_of(Control& control, const Section& section) {
+    const bool changed = control.value != control.initial;
+    if (dot(changed, false, Text("the scene's value"))) reset(control);
+    if (changed) section.layout.note(control.name, "dot");
+}
+
+void set_period(Animated& motion, double period, double time) {
+    const double cycles = (time - motion.start) / motion.period;
+    motion.period = std::clamp(period, .1, 1e4);
+    motion.start = time - cycles * motion.period;
+}
+
+void animate_rows(Control& control, std::size_t component, const Section& section) {
+    Memory& memory = section.memory;
+    Animated* motion = motion_of(control, component, memory);
+    bool moving = motion != nullptr;
+    if (ImGui::Checkbox("Animate", &moving)) {
+        stop(memory.animated, control, component);
+        motion = nullptr;
+        if (moving) {
+            memory.animated.push_back(animated_from(control, component, default_period, memory.clock.time));
+            memory.animated.back().logarithmic = is_logarithmic(control, section);
+            memory.clock.paused = false;
+        }
+    }
+    section.layout.note(control.name, "animate");
+    if (!motion) return;
+    label("there and back in");
+    double period = motion->period;
+    if (number("##period", period, false, default_period, 4 * ImGui::GetFontSize()))
+        set_period(*motion, period, memory.clock.time);
+    section.layout.note(control.name, "period");
+    ImGui::SameLine();
+    ImGui::TextUnformatted("s");
+}
+
+// Draws the menu that a right click on a slider's name opens.
+void slider_menu(Control& control, std::size_t component, const Section& section) {
+    if (!ImGui::BeginPopupContextItem("##menu")) return;
+    if (ImGui::MenuItem(fmt::format("Reset to {}", shown_value(control, control.initial[component]).view()).c_str())) {
+        reset(control, component);
+        stop(section.memory.animated, control, component);
+    }
+    section.layout.note(control.name, "reset");
+    bool logarithmic = is_logarithmic(control, section);
+    if (ImGui::MenuItem("Logarithmic", nullptr, &logarithmic, control.min > 0)) {
+        if (logarithmic)
+            section.memory.logarithmic.insert(key_of(control));
+        else
+            section.memory.logarithmic.erase(key_of(control));
+        if (Animated* motion = motion_of(control, component, section.memory)) motion->logarithmic = logarithmic;
+    }
+    section.layout.note(control.name, "logarithmic");
+    ImGui::Separator();
+    animate_rows(control, component, section);
+    ImGui::EndPopup();
+}
+
+void range_tip(const Control& control, std::size_t component, const Section& section) {
+    if (!control.active) return;
+    tip(Text("{}: {:g} \u2026 {:g}{}\nscene's value: {}", name_of(control, component).view(), control.min, control.max,
+             is_logarithmic(control, section) ? ", logarithmic" : "",
+             shown_value(control, control.initial[component]).view())
+            .view());
+}
+
+void track(Control& control, std::size_t component, const Section& section) {
+    SliderRange range{control.min, control.max, is_integral(control.type), is_logarithmic(control, section)};
+    const bool changed = slider("##value", control.value[component], range, control.initial[component],
+                                section.memory.slider, section.number_width);
+    note_element(control, component, section);
+    range_tip(control, component, section);
+    control.min = range.min;
+    control.max = range.max;
+    if (changed || range.reset) stop(section.memory.animated, control, component);
+    if (changed) control.value[component] = fit_to_type(control.value[component], control.type);
+    if (range.reset) reset(control, component);
+}
+
+void slider_row(Control& control, std::size_t component, const Section& section) {
+    const float begin = ImGui::GetCursorPosX();
+    const bool moving = motion_of(control, component, section.memory) != nullptr;
+    const bool changed = control.value[component] != control.initial[component];
+    if (dot(changed, moving, shown_value(control, control.initial[component]))) {
+        if (!moving) reset(control, component);
+        stop(section.memory.animated, control, component);
+    }
+    if (changed || moving) section.layout.note(control.name, "dot");
+    const bool stacked = section.name_width <= 0;
+    ImGui::BeginGroup();
+    ImGui::AlignTextToFramePadding();
+    fitted(name_of(control, component).view(),
+           stacked ? ImGui::GetContentRegionAvail().x : section.name_width - ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::EndGroup();
+    range_tip(control, component, section);
+    section.layout.note(control.name, "name");
+    slider_menu(control, component, section);
+    if (stacked)
+        ImGui::SetCursorPosX(begin + dot_width());
+    else
+        ImGui::SameLine(begin + dot_width() + section.name_width);
+    if (control.active || !section.linked) return track(control, component, section);
+    fitted(idle_reason(control, section), ImGui::GetContentRegionAvail().x);
+    note_element(control, component, section);
+}
+
+// Draws the name at the left, shortened if necessary, and `remark` at the right if both fit.
+void caption(std::string_view name, std::string_view remark) {
+    const float width = ImGui::GetContentRegionAvail().x, end = ImGui::GetCursorPosX() + width;
+    const Text text = shortened(name, width);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text.begin(), text.end());
+    const float right = width_of(remark);
+    if (!(text == name) || width_of(name) + right + ImGui::GetStyle().ItemSpacing.x > width)
+        return tip(Text("{}  {}", name, remark).view());
+    if (remark.empty()) return;
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(end - right);
+    ImGui::TextUnformatted(remark.data(), remark.data() + remark.size());
+}
+
+// Draws a row of number fields for each element of an array or each column of a matrix.
+void numbers(Control& control, const Section& section) {
+    auto columns = static_cast<std::size_t>(control.type == ValueType::matrix && control.components > 4
+                                                ? (control.components == 9 ? 3 : 4)
+                                                : std::clamp(control.components, 1, 4));
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float number_width = button_width("-1.2346e+05"), most = ImGui::GetContentRegionAvail().x;
+    while (columns > 1 && number_width * static_cast<float>(columns) + gap * static_cast<float>(columns - 1) > most)
+        columns = (columns + 1) / 2;
+    const float width =
+        (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+    for (std::size_t i = 0; i < control.value.size(); ++i) {
+        if (i % columns != 0) ImGui::SameLine(0, gap);
+        ImGui::PushID(static_cast<int>(i));
+        if (number("##value", control.value[i], is_integral(control.type), control.initial[i], width))
+            control.value[i] = fit_to_type(control.value[i], control.type);
+        note_element(control, i, section);
+        ImGui::PopID();
+    }
+}
+
+void check_box(Control& control, const Section& section) {
+    dot_of(control, section);
+    bool on = control.value[0] != 0;
+    Text name = shortened(control.name, ImGui::GetContentRegionAvail().x - check_box_width(""));
+    const bool whole = name == control.name;
+    if (ImGui::Checkbox(name.append("###on").c_str(), &on)) control.value[0] = on ? 1 : 0;
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) reset(control);
+    if (!whole) tip(control.name);
+    section.layout.note(section.program.name, control.name);
+    const std::string_view reason = idle_reason(control, section);
+    if (reason.empty()) return;
+    follow(width_of(reason));
+    ImGui::TextUnformatted(reason.data(), reason.data() + reason.size());
+}
+
+void explain(const Control& control, const Section& section) {
+    if (control.active) return;
+    if (section.linked)
+        tip(Text("No shader of '{}' uses '{}', or its value\ndoes not affect the picture.", section.program.name,
+                 control.name)
+                .view());
+    else
+        tip(Text("'{}' did not compile or link.", section.program.name).view());
+}
+
+void widget(Control& control, const Section& section) {
+    switch (control.widget) {
+        case Widget::check_box:
+            return check_box(control, section);
+        case Widget::color:
+            dot_of(control, section);
+            caption(control.name, idle_reason(control, section));
+            color_row("##value", control.value.data(), control.components, control.initial.data());
+            return section.layout.note(section.program.name, control.name);
+        case Widget::slider:
+            for (std::size_t i = 0; i < control.value.size(); ++i) {
+                ImGui::PushID(static_cast<int>(i));
+                slider_row(control, i, section);
+                ImGui::PopID();
+            }
+            return;
+        case Widget::none:
+            dot_of(control, section);
+            caption(control.name, idle_reason(control, section));
+            return numbers(control, section);
+    }
+}
+
+// True if two sliders of the program would have the same text in a column of that width.
+bool ambiguous(const Controls& controls, Index program, float width) {
+    std::array<std::size_t, 256> cut{};
+    std::size_t count = 0;
+    for (const Control& control : controls.items) {
+        if (control.program != program || control.widget != Widget::slider || count == cut.size()) continue;
+        if (width_of(control.name) > width)
+            cut[count++] = std::hash<std::string_view>{}(shortened(control.name, width).view());
+    }
+    std::sort(cut.begin(), cut.begin() + count);
+    return std::adjacent_find(cut.begin(), cut.begin() + count) != cut.begin() + count;
+}
+
+// Measures the columns, so that the tracks of all sliders of a program begin and end at the same places.
+void measure_columns(const Controls& controls, Index program, Section& section) {
+    const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
+    float name = 0, number = 0;
+    for (const Control& control : controls.items) {
+        if (control.program != program || control.widget != Widget::slider) continue;
+        const std::size_t last = control.value.empty() ? 0 : control.value.size() - 1;
+        name = std::max(name, width_of(name_of(control, last).view()));
+        for (const double end : {control.min, control.max})
+            number = std::max(number, width_of(shown_value(control, end).view()));
+    }
+    // Where there is no room for the names, the track is below them.
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, column = std::min(name + gap, room * .4F);
+    const bool stacked = room < 15 * em || (name + gap > column && ambiguous(controls, program, column - gap));
+    section.number_width = std::min(number + ImGui::GetStyle().FramePadding.x, room * (stacked ? .5F : .35F));
+    section.name_width = stacked ? 0 : column;
+}
+
+void row(Control& control, const Section& section) {
+    if (control.value.empty() || control.initial.size() != control.value.size()) return;
+    ImGui::PushID(control.name.c_str());
+    ImGui::BeginDisabled(!control.active);
+    ImGui::BeginGroup();
+    widget(control, section);
+    ImGui::EndGroup();
+    ImGui::EndDisabled();
+    explain(control, section);
+    ImGui::PopID();
+}
 
 // Large arrays and texture units are not shown in the panel.
 bool is_shown(const Control& control) { return control.type != ValueType::sampler && control.value.size() <= 64; }
