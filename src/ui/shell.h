@@ -1,5 +1,4 @@
-// The layout of the whole window: the scene's area, the panel next to it, the status line below, and what is drawn over
-// the picture.
+
 #pragma once
 
 #include "src/ui/kit/style.h"
@@ -16,5 +15,11 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
 // scales; a right drag or Shift-drag moves along the screen; Shift-wheel or Ctrl-Shift-drag moves towards the viewer.
 // While picking is on, a click without a drag requests the object there. Does nothing while a panel has the mouse.
 void hold_scene(const Facts& facts, const Rect& scene, View& view, HoldMemory& hold, Requests& requests);
+
+// Draws a line for each slider, check box and colour, in the order of the Program lines, at the lower left of `scene`.
+void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts);
+
+// Shortens a label to that many columns, by cutting the middle of the name and keeping the value.
+std::string cut_name(const std::string& label, std::size_t columns);
 
 }  // namespace snell::ui

@@ -1,5 +1,5 @@
 // What the window's list of found rungs says, for results made by hand.
-#include "src/app/window/measure/found_rows.h"
+#include "src/app/window/measure/found_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Texts that an editor gives: each holds until its file is saved.
 #include <gtest/gtest.h>
 
-#include "src/app/desktop/given_texts.h"
+#include "src/app/desktop/watch.h"
 #include "tests/scratch.h"
 
 namespace snell {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "src/ui/kit/text.h"
-#include "src/ui/labels.h"
 #include "src/ui/panels/panels.h"
+#include "src/ui/shell.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {

@@ -1,5 +1,7 @@
-// Draws the pictures of one command one after the other in one context. For render.cpp and its reports.
+// Draws many pictures, for `snell render` and `snell sweep`: one after the other in one context.
 #pragma once
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -7,12 +9,11 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
-#include "src/app/batch/render.h"
 #include "src/app/batch/shots.h"
+#include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
@@ -21,14 +22,46 @@
 #include "src/app/picture/picture.h"
 #include "src/document/document.h"
 #include "src/gl/target.h"
+#include "src/plan/files.h"
 
 namespace snell::app {
+
+struct RenderOptions {
+    std::vector<std::string> scenes;
+    std::string output;       // a pattern, see src/app/batch/shots.h
+    std::string stats, json;  // file names: statistics of one scene; a list of all pictures
+    std::string sheet;        // file name of a contact sheet with all pictures
+    bool labels = true;       // labels below the pictures of the sheet
+    std::optional<std::pair<int, int>> size;
+    double time = 0;
+    std::vector<std::string> over;  // the axes that vary, see src/app/batch/shots.h
+    std::string shard;              // "", or as for parse_shard
+    bool skip_existing = false;
+    std::vector<std::string> sets, ladders;
+    std::string quality;  // "", or a measured preset, see src/app/open/quality.h
+    int samples = 1;
+    bool transparent = false;  // leaves out the background
+    int tile = 0;              // maximum side in pixels of a part that is drawn at once; 0: as memory allows
+    std::string view;          // see src/plan/setup.h
+    bool axes = false;
+    bool count_non_finite = false;  // counts pixels with NaN or infinite values, for the messages and the statistics
+    int frames = 0;                 // frame k is at time + k / fps; 0: not an animation
+    double fps = 25;
+    std::string context;  // OpenGL version: "", "3.3", "4.1", "4.5", "es3.2" …
+    bool quiet = false;
+    bool specialise = true;  // programs are compiled for the values that all pictures have
+    Access access;
+    bool grade = false;   // confines each scene to its folder, unless `access` sets a folder
+    double timeout = 20;  // in seconds for a frame, or for reading a scene; after that the process ends
+    int lose_after = 0;   // for tests: the context is lost in that frame; 0: never
+};
+Exit render(const RenderOptions& options);
 
 struct Timings {
     double context = 0, load = 0, frame = 0, write = 0;  // in milliseconds
 };
 
-struct Record {
+struct DrawnPicture {
     Shot shot;
     bool skipped = false;  // the file existed already
     double time = 0;
@@ -42,6 +75,7 @@ struct SceneResult {
     std::size_t errors = 0, warnings = 0;
 };
 
+// The pictures of one command.
 class Batch {
 public:
     Batch(const RenderOptions& options, const Shots& shots, Shard shard);
@@ -50,7 +84,7 @@ public:
     // attempted.
     Exit run();
 
-    const std::vector<Record>& records() const { return records_; }
+    const std::vector<DrawnPicture>& records() const { return records_; }
     // In the order of the scenes; without those of other shards.
     const std::vector<SceneResult>& results() const { return results_; }
     // In the order of records(); valid once run() has returned.
@@ -105,7 +139,7 @@ private:
     std::optional<NonFinite> non_finite_;
     ProgressLine progress_;
     std::unique_ptr<Document> last_;  // the document whose counters stats() returns
-    std::vector<Record> records_;
+    std::vector<DrawnPicture> records_;
     std::vector<SceneResult> results_;
     std::set<std::string> said_;  // messages about the current scene that were printed
     Exit status_ = exit_fine;

@@ -12,7 +12,7 @@
 #include "parser/commands/commands.h"
 #include "parser/text/diagnostic.h"
 #include "parser/text/words.h"
-#include "src/app/batch/render.h"
+#include "src/app/batch/batch.h"
 #include "src/app/batch/shots.h"
 #include "src/app/commands/options.h"
 #include "src/app/grade/grade.h"

@@ -1,9 +1,13 @@
-// Notices that files were saved.
+// Notices that files were saved; texts that an editor gives in place of files hold until then.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
+
+#include "src/plan/files.h"
 
 namespace snell {
 
@@ -34,6 +38,18 @@ private:
     static Stamp look(Entry& entry);
 
     std::vector<Entry> entries_;
+};
+
+// Texts that an editor gives in place of files, because they were not saved yet. Each holds until its file is saved.
+class GivenTexts {
+public:
+    explicit GivenTexts(const Access& access);
+
+    // Removes the texts of `access` whose files were saved, and those that say what their files say.
+    void remove_saved(Access& access) const;
+
+private:
+    std::map<std::string, std::filesystem::file_time_type> given_;  // by path, when its file was written last
 };
 
 }  // namespace snell

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "src/app/open/ending.h"
-#include "src/app/window/measure/refine.h"
+#include "src/app/window/measure/accuracy_view.h"
 #include "src/content/image/image.h"
 #include "src/document/document.h"
 #include "src/gl/present.h"

@@ -1,10 +1,16 @@
-// Input and panels: Dear ImGui's frames, what the user changes there, and the clock of the scene.
+// Input and panels: Dear ImGui's frames, what the user changes there, the clock of the scene, and objects that are
+// picked.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "src/app/open/progress.h"
+#include "src/app/window/measure/accuracy_view.h"
+#include "src/document/document.h"
 #include "src/platform/window.h"
 #include "src/ui/kit/gui.h"
 #include "src/ui/panels/state.h"
@@ -61,6 +67,25 @@ private:
     View view_;
     std::uint64_t picture_ = 0;
     double framed_ = 0, ticked_ = 0;  // when frame() and time() were called last
+};
+
+// Picks and moves objects. It does nothing until the first object is picked.
+class Picking {
+public:
+    // Call it before the panels use the view. After the scene was read again, it updates the indices of the objects and
+    // drops those that are gone.
+    void follow(Document& shown, std::uint64_t revision, View& view, HoldMemory& hold);
+    // Picks the object at the click, in the picture that `stand` describes; `density` is pixels per window coordinate.
+    void serve(const ui::Requests& requests, Document& shown, const Stand& stand, float density, HoldMemory& hold);
+    // Fills in the text about the picked object.
+    void tell(ui::Facts& facts, const Document* shown, const HoldMemory& hold);
+
+private:
+    std::uint64_t revision_ = 0;
+    // Names of the objects, in the order of Scene::draws; empty if none was picked yet.
+    std::vector<std::string> names_;
+    std::string told_;
+    std::pair<std::uint64_t, Index> told_of_{0, none};  // the revision and the object that told_ describes
 };
 
 }  // namespace snell

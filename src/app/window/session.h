@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "parser/text/ranges.h"
-#include "src/app/desktop/given_texts.h"
 #include "src/app/desktop/watch.h"
 #include "src/app/window/survive/keeper.h"
 #include "src/document/document.h"

@@ -7,8 +7,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "src/app/window/measure/refine.h"
+#include "parser/text/source.h"
+#include "src/accuracy/found/search.h"
+#include "src/app/window/measure/accuracy_view.h"
 #include "src/document/document.h"
 #include "src/ui/panels/found.h"
 #include "src/ui/panels/state.h"
@@ -63,5 +66,9 @@ private:
     std::unique_ptr<Document> rung_;
     std::uint64_t showings_ = 0;
 };
+
+// Found rungs as rows of the panel: by group, with the rungs of the front first. `searching`: what was not tried yet
+// has no row. What may not be left out has none either, because it changes pixels as it should.
+std::vector<ui::FoundRow> found_rows(const accuracy::FoundResult& result, const Sources& sources, bool searching);
 
 }  // namespace snell

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "src/accuracy/frame_clock.h"
-#include "src/app/window/measure/refine.h"
+#include "src/app/window/measure/accuracy_view.h"
 #include "src/document/document.h"
 #include "src/gl/debug.h"
 #include "src/ui/panels/frame_cost.h"

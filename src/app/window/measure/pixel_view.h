@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "src/app/window/measure/refine.h"
+#include "src/app/window/measure/accuracy_view.h"
 #include "src/document/document.h"
 #include "src/gl/present.h"
 #include "src/runtime/inspect.h"
