@@ -84,6 +84,18 @@ bool no_new_errors(const Diagnostics& before, const Diagnostics& now) {
     });
 }
 
+const Diagnostic* first_error(const Diagnostics& diagnostics) {
+    const auto error = ranges::find(diagnostics.items(), Severity::error, &Diagnostic::severity);
+    return error == diagnostics.items().end() ? nullptr : &*error;
+}
+
+Diagnostics errors_of(const Diagnostics& diagnostics) {
+    Diagnostics errors;
+    for (const Diagnostic& diagnostic : diagnostics.items())
+        if (diagnostic.severity == Severity::error) errors.add(diagnostic);
+    return errors;
+}
+
 std::string verbose_report(const Document& document) {
     std::string report;
     if (!document.runtime) return report;

@@ -56,6 +56,11 @@ bool follow_rungs(Document& document);
 // edits of its shaders. Places are not compared.
 bool no_new_errors(const Diagnostics& before, const Diagnostics& now);
 
+// Null if there is no error.
+const Diagnostic* first_error(const Diagnostics& diagnostics);
+// The errors alone.
+Diagnostics errors_of(const Diagnostics& diagnostics);
+
 // Lists what was read and made, line by line, for scenes with Verbose.
 std::string verbose_report(const Document& document);
 

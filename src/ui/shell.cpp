@@ -18,7 +18,6 @@
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/panels.h"
-#include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
 #include "src/ui/panels/textures.h"
 #include "src/ui/status.h"

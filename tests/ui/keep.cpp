@@ -195,10 +195,14 @@ TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
 TEST_F(UiKeep, AFileThatIsThereIsReplacedOnlyWhenAsked) {
     memory_.picture.open = true;
     std::string("a.png").copy(memory_.picture.file.data(), 5);
-    memory_.picture.there = memory_.picture.existing = "a.png";
-    EXPECT_EQ(clicked("picture save").picture, PictureRequest::replace);
+    EXPECT_FALSE(confirmed(memory_.picture, true, "folder/a.png")) << "the dialog asks";
+    EXPECT_EQ(memory_.picture.existing, "a.png");
+    EXPECT_EQ(clicked("picture save").picture, PictureRequest::save);
+    EXPECT_TRUE(confirmed(memory_.picture, true, "folder/a.png"));
+    EXPECT_FALSE(confirmed(memory_.picture, true, "folder/a.png")) << "the next time it asks again";
     memory_.picture.file[0] = 'b';
-    EXPECT_EQ(clicked("picture save").picture, PictureRequest::save) << "another name";
+    EXPECT_FALSE(confirmed(memory_.picture, true, "folder/b.png")) << "another name";
+    EXPECT_TRUE(confirmed(memory_.picture, false, "folder/b.png")) << "there is none";
 }
 
 TEST(PictureCount, EndsBeforeTheLastMoment) {

@@ -464,31 +464,19 @@ Exit accuracy(const AccuracyOptions& options) {
     return errors ? exit_input : exit_fine;
 }
 
-// Not by CLI11's excludes(), which --help would print next to every option.
-bool fits_merge(const CLI::App& command, const std::vector<CLI::Option*>& fitting) {
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || ranges::find(fitting, option) != fitting.end()) continue;
-        return complain(
-            fmt::format("--merge excludes {}: it compares reports and measures nothing", option->get_name()));
-    }
-    return true;
-}
-
 }  // namespace
 
 Run add_accuracy(CLI::App& command) {
     auto options = std::make_shared<AccuracyOptions>();
     add_access(command, options->access);
-    std::vector<CLI::Option*> with_merge = command.get_options();  // these hold for all files that are read
     add_timeout(command, options->timeout, "one step of the measurement, or for reading a scene");
     command.footer(
         "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
         "ends the program at once.");
     command.add_option("SCENE", options->scenes, "one report of all of them");
-    with_merge.push_back(
-        command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
-            ->expected(2, 26)
-            ->check(CLI::ExistingFile));
+    command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
+        ->expected(2, 26)
+        ->check(CLI::ExistingFile);
     command.add_option("--ladders", options->ladders, "only these, such as FRESNEL,REFRACT; all: and no knobs")
         ->delimiter(',');
     command.add_option("--knobs", options->knobs, "samples,tessellation,filter,cube-size,cube-precision")
@@ -517,9 +505,14 @@ Run add_accuracy(CLI::App& command) {
     add_reports(command, *options);
     add_found_rungs(command, *options);
     add_context(command, options->context);
-    return [options, &command, with_merge] {
+    return [options, &command] {
         if (only_texts(*options)) return write_found_rungs(*options, command);
-        if (!options->merge.empty()) return fits_merge(command, with_merge) ? merge_reports(*options) : exit_usage;
+        if (!options->merge.empty()) {
+            std::vector<std::string_view> fitting = access_options;
+            fitting.push_back("--merge");
+            const bool fits = excludes_others(command, fitting, "--merge", "it compares reports and measures nothing");
+            return fits ? merge_reports(*options) : exit_usage;
+        }
         if (options->scenes.empty())
             return complain(exit_usage, "no scene given; 'snell accuracy --help' shows the options");
         return size_fits(options->size, options->access.limits) ? accuracy(*options) : exit_usage;

@@ -12,6 +12,7 @@
 #include "parser/text/words.h"
 #include "src/accuracy/found/average.h"
 #include "src/accuracy/found/change.h"
+#include "src/app/commands/options.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
@@ -41,10 +42,7 @@ struct Found {
 };
 
 void print_errors(const Diagnostics& all, const Sources& sources) {
-    Diagnostics errors;
-    for (const Diagnostic& diagnostic : all.items())
-        if (diagnostic.severity == Severity::error) errors.add(diagnostic);
-    fmt::print(stderr, "{}", snell::render(errors, sources));
+    fmt::print(stderr, "{}", snell::render(errors_of(all), sources));
 }
 
 // Only a driver knows all errors of shaders. Without one, nothing is said of them.
@@ -149,20 +147,15 @@ Exit write_texts(const AccuracyOptions& options, Found& found) {
     return exit_fine;
 }
 
-// Not by CLI11's excludes(), which --help would print next to every option.
 bool fits(const CLI::App& command, const AccuracyOptions& options) {
-    const std::string asked = options.list_found ? "--list-found" : "--apply";
-    std::set<std::string> fitting{"SCENE", "--limit", "--confine", "--allow", "--timeout", "--ladder", asked};
-    fitting.insert(options.list_found ? "--json" : "--output");
-    if (!options.list_found) fitting.insert("--context");
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || fitting.contains(option->get_single_name()) ||
-            fitting.contains("--" + option->get_single_name()))
-            continue;
-        return complain(fmt::format("{} excludes {}: it only {}", asked, option->get_name(),
-                                    options.list_found ? "lists found rungs" : "writes a scene"));
+    std::vector<std::string_view> fitting = access_options;
+    fitting.insert(fitting.end(), {"SCENE", "--timeout", "--ladder"});
+    if (options.list_found) {
+        fitting.insert(fitting.end(), {"--list-found", "--json"});
+        return excludes_others(command, fitting, "--list-found", "it only lists found rungs");
     }
-    return true;
+    fitting.insert(fitting.end(), {"--apply", "--output", "--context"});
+    return excludes_others(command, fitting, "--apply", "it only writes a scene");
 }
 
 std::string check_not_empty(const std::string& text) { return text.empty() ? "a number is missing" : ""; }

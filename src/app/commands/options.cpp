@@ -10,10 +10,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "parser/text/ranges.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/headless.h"
 #include "src/content/files.h"
 #include "src/content/text_forms.h"
+#include "src/plan/setup.h"
 
 namespace snell::app {
 
@@ -164,6 +166,22 @@ void add_context(CLI::App& command, std::string& context) {
 
 void add_time(CLI::App& command, double& seconds) {
     command.add_option("--time", seconds, "seconds since the scene began")->check(check_finite_number);
+}
+
+void add_view(CLI::App& command, std::string& view, const std::string& text) {
+    const auto check = [](const std::string& given) {
+        View parsed;
+        return parse_view(given, parsed);
+    };
+    command.add_option("--view", view, text)->check(check);
+}
+
+bool excludes_others(const CLI::App& command, const std::vector<std::string_view>& fitting, std::string_view what,
+                     std::string_view why) {
+    for (const CLI::Option* option : command.get_options())
+        if (option->count() > 0 && ranges::find(fitting, option->get_name()) == fitting.end())
+            return complain(fmt::format("{} excludes {}: {}", what, option->get_name(), why));
+    return true;
 }
 
 bool size_fits(const Size& size, const Limits& most) {

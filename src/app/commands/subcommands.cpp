@@ -168,9 +168,7 @@ Exit save(const SaveOptions& options) {
     }
     for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, problems);
     // A value may be missing because of an error in the scene.
-    Diagnostics said;
-    for (const Diagnostic& diagnostic : document->diagnostics.items())
-        if (diagnostic.severity == Severity::error) said.add(diagnostic);
+    Diagnostics said = errors_of(document->diagnostics);
     said.append(problems);
     fmt::print(stderr, "{}", snell::render(said, document->sources));
     if (said.has_errors()) return exit_input;
@@ -209,11 +207,6 @@ struct WebOptions {
     bool gallery = false;
     PageOptions page;
 };
-
-std::string check_start_view(const std::string& text) {
-    View view;
-    return parse_view(text, view);
-}
 
 // A link is opened by a click, so it must lead to a page, and not to a script.
 std::string check_link(const std::string& text) {
@@ -262,7 +255,7 @@ Run add_web(CLI::App& command) {
     command.add_flag("--gallery", options->gallery, "make a page of every scene in the folders, and an index of them");
     add_values(command, page.start.sets, page.start.ladders);
     add_quality(command, page.start.quality);
-    command.add_option("--view", page.start.view, "turned and moved, as for `snell render`")->check(check_start_view);
+    add_view(command, page.start.view, "turned and moved, as for `snell render`");
     command.add_option("--title", page.title, "title of the page (default: the name of the scene)");
     command.add_option("--link", page.link, "address of the scene's text, to which the page links")->check(check_link);
     add_repeated(command, "--baked", page.baked,
@@ -283,11 +276,6 @@ Run add_web(CLI::App& command) {
 // `snell render` and `snell sweep`: pictures without a display.
 
 namespace {
-
-std::string check_view(const std::string& text) {
-    View view;
-    return parse_view(text, view);
-}
 
 std::string check_shard(const std::string& text) {
     return parse_shard(text) ? "" : "'" + text + "' is not I/N, such as 0/8, 1/8 … 7/8";
@@ -317,10 +305,8 @@ void add_drawing(CLI::App& command, RenderOptions& render) {
     command.add_flag("!--no-labels", render.labels, "write no values below the pictures of the sheet");
     command.add_option("--stats", render.stats, "write timings and counters of the one scene as JSON")
         ->check(check_file_name);
-    command
-        .add_option("--view", render.view,
-                    "turned and moved: rotate_x=30,rotate_y=-45,scale=1.2,x=.5,eye.z=1,object0.x=.5,projection=ortho")
-        ->check(check_view);
+    add_view(command, render.view,
+             "turned and moved: rotate_x=30,rotate_y=-45,scale=1.2,x=.5,eye.z=1,object0.x=.5,projection=ortho");
     command.add_flag("--axes", render.axes, "draw the axes");
     command.add_flag("--count-non-finite", render.count_non_finite,
                      "count the pixels that are NaN or infinite before they are clamped");

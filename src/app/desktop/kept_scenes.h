@@ -10,9 +10,6 @@
 
 namespace snell {
 
-// What a scene was like when it was last open in a window: one small file for each scene, in a folder next to the
-// settings.
-
 inline constexpr std::size_t most_kept_scenes = 200;
 inline constexpr std::uintmax_t most_kept_bytes = std::uintmax_t{256} << 10;  // of one scene
 

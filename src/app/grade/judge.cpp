@@ -201,10 +201,8 @@ private:
 
     // What an error takes out of the scene, so that items are not fulfilled by what is not there.
     void find_first_error() {
-        const auto& found = document_->diagnostics.items();
-        const auto error =
-            ranges::find_if(found, [](const Diagnostic& one) { return one.severity == Severity::error; });
-        if (error == found.end()) return;
+        const Diagnostic* const error = first_error(document_->diagnostics);
+        if (!error) return;
         const Finding finding = describe(*error, document_->sources);
         const std::string place = place_text(finding);
         first_error_ = (place.empty() ? "" : place + ": ") + finding.message;

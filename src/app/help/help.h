@@ -9,8 +9,6 @@
 
 namespace snell::app {
 
-// Explanations for the command line: `snell help`, and what shells ask to complete a word.
-
 Run add_help(CLI::App& command);
 Run add_complete(CLI::App& command);
 

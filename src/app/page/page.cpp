@@ -68,11 +68,9 @@ OpenedScene opened_scene(const std::string& scene, const Start& start, const gl:
     for (const Diagnostic& diagnostic : problems.items())
         if (diagnostic.severity != Severity::note) shown.add(diagnostic);
     opened.text = snell::render(shown, document.sources);
-    const auto error = ranges::find(problems.items(), Severity::error, &Diagnostic::severity);
-    opened.fits = error == problems.items().end();
-    if (!opened.fits) {
-        opened.first_error = short_text(*error, document.sources);
-    }
+    const Diagnostic* const error = first_error(problems);
+    opened.fits = !error;
+    if (error) opened.first_error = short_text(*error, document.sources);
     return opened;
 }
 
@@ -218,9 +216,8 @@ std::string unfit_rungs(Document& document) {
             Rungs rungs = begin;
             if (std::exchange(rungs[ladder], rung) == rung) continue;
             document.runtime->choose(rungs);
-            const auto& found = document.runtime->ladder_problems().items();
-            const auto error = ranges::find(found, Severity::error, &Diagnostic::severity);
-            if (error == found.end()) continue;
+            const Diagnostic* const error = first_error(document.runtime->ladder_problems());
+            if (!error) continue;
             text += fmt::format("snell: warning: with {}={} a browser cannot draw the scene: {}\n",
                                 scene.ladders[ladder].name, scene.ladders[ladder].rungs[rung],
                                 short_text(*error, document.sources));

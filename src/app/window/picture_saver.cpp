@@ -87,15 +87,13 @@ void PictureSaver::serve(const ui::Requests& requests, const Document& document,
         case ui::PictureRequest::stop:
             return end(memory, "stopped");
         case ui::PictureRequest::save:
-        case ui::PictureRequest::replace:
-            picture.error =
-                utf8::printable(begin(document, shown, memory, requests.picture == ui::PictureRequest::replace));
+            picture.error = utf8::printable(begin(document, shown, memory));
             return;
     }
 }
 
 // Returns "", or why nothing begins.
-std::string PictureSaver::begin(const Document& document, const Picture& shown, ui::Memory& memory, bool replace) {
+std::string PictureSaver::begin(const Document& document, const Picture& shown, ui::Memory& memory) {
     ui::PictureMemory& picture = memory.picture;
     const Picture asked = wanted(shown, picture);
     std::string error;
@@ -108,11 +106,8 @@ std::string PictureSaver::begin(const Document& document, const Picture& shown, 
             if (fs::equivalent(file, read, none))
                 return "'" + file + "' is read by the scene, and would be overwritten";
     const auto there = ranges::find_if(work->files, [&](const std::string& file) { return fs::exists(file, none); });
-    picture.there = replace || there == work->files.end() ? "" : picture.file.data();
-    if (!picture.there.empty()) {
-        picture.existing = utf8::printable(fs::path(*there).filename().string());
-        return {};
-    }
+    const bool exists = there != work->files.end();
+    if (!ui::confirmed(picture, exists, exists ? *there : std::string())) return {};
     if (asked.transparent && !app::holds_alpha(work->files.front()))
         return "this format cannot be transparent: PNG and EXR can";
     work->document = &document;

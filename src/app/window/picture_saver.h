@@ -46,7 +46,7 @@ private:
     };
 
     void fill(const Document& document, const Picture& shown, ui::PictureMemory& picture);
-    std::string begin(const Document& document, const Picture& shown, ui::Memory& memory, bool replace);
+    std::string begin(const Document& document, const Picture& shown, ui::Memory& memory);
     void end(ui::Memory& memory, const std::string& error);
 
     gl::Caps caps_;

@@ -40,11 +40,8 @@ std::string confirmed_page(const Document& document, ui::SaveAs& dialog) {
     dialog.error = page.has_filename() ? "" : "the page needs a name";
     if (!dialog.error.empty()) return {};
     if (!page.has_extension()) page += ".html";
-    const bool replace = !dialog.there.empty() && dialog.there == dialog.file.data();
     std::error_code error;
-    dialog.there = replace || !std::filesystem::exists(page, error) ? "" : dialog.file.data();
-    dialog.existing = utf8::printable(page.filename().string());
-    return dialog.there.empty() ? page.string() : "";
+    return ui::confirmed(dialog, std::filesystem::exists(page, error), page.string()) ? page.string() : "";
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 #include "src/ui/panels/save_as.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 
+#include "parser/text/words.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/state.h"
@@ -19,9 +23,26 @@ struct SaveAsWords {
     std::string name;  // of the widgets
 };
 
-bool save_as_answers(SaveAs& dialog, bool entered, const std::string& name, Layout& layout) {
-    const bool asks = !dialog.there.empty() && dialog.there == dialog.file.data();
-    if (asks)
+// A dialog in the middle of the screen, of that width in multiples of the text height.
+bool begin_dialog(const char* title, float width) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, ImGuiCond_Always, {.5F, .5F});
+    ImGui::SetNextWindowSize({std::min(width * em, all.x - em), 0});
+    return ImGui::BeginPopupModal(title, nullptr,
+                                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void end_dialog(const SaveAs& dialog) {
+    if (!dialog.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+// What the dialog asks or complains of, and its first button. Returns true if that was pressed.
+bool save_button(const SaveAs& dialog, const std::string& name, Layout& layout) {
+    if (dialog.asks())
         ImGui::TextWrapped("%s exists. Replace it?", shortened(dialog.existing, 30 * ImGui::GetFontSize()).c_str());
     if (!dialog.error.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
@@ -29,24 +50,18 @@ bool save_as_answers(SaveAs& dialog, bool entered, const std::string& name, Layo
         ImGui::PopStyleColor();
         layout.note(name + " error");
     }
-    const bool now = button(asks ? "Replace" : "Save", layout, name + " save") || entered;
+    return button(dialog.asks() ? "Replace" : "Save", layout, name + " save");
+}
+
+void cancel_button(SaveAs& dialog, const std::string& name, Layout& layout) {
     if (next_button("Cancel", layout, name + " cancel") || pressed(Key::escape)) dialog.open = false;
-    return now;
 }
 
 // Returns true when the user confirms the name.
 bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     if (!dialog.open) return false;
     const bool fresh = !ImGui::IsPopupOpen(words.title);
-    if (fresh) ImGui::OpenPopup(words.title);
-    const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({all.x / 2, all.y / 2}, ImGuiCond_Always, {.5F, .5F});
-    ImGui::SetNextWindowSize({std::min(30 * em, all.x - em), 0});
-    if (!ImGui::BeginPopupModal(words.title, nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize))
-        return false;
+    if (!begin_dialog(words.title, 30)) return false;
     ImGui::TextUnformatted(words.label);
     if (fresh) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
@@ -55,13 +70,19 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     layout.note(words.name + " file");
     tip(words.tip);
     ImGui::Spacing();
-    const bool now = save_as_answers(dialog, entered, words.name, layout);
-    if (!dialog.open) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    const bool now = save_button(dialog, words.name, layout) || entered;
+    cancel_button(dialog, words.name, layout);
+    end_dialog(dialog);
     return now;
 }
 
 }  // namespace
+
+bool confirmed(SaveAs& dialog, bool exists, const std::string& path) {
+    dialog.there = exists && !dialog.asks() ? dialog.file.data() : "";
+    dialog.existing = utf8::printable(path.substr(path.rfind('/') + 1));
+    return dialog.there.empty();
+}
 
 void open_save_as(SaveAs& dialog, const std::string& name) {
     dialog = {};
@@ -80,6 +101,117 @@ void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
     requests.save_as_now = save_as_window(memory.save_as, scene, layout);
     requests.save_page_now = save_as_window(memory.save_page, page, layout);
     requests.write_rung_now = save_as_window(memory.write_rung, rung, layout);
+}
+
+namespace {
+
+constexpr const char* picture_title = "Save picture";
+constexpr double most_pictures = 1e6, largest = 1e6;
+
+void row(const char* name, const char* help = nullptr) {
+    label(name);
+    if (help) tip(help);
+    ImGui::SameLine(7 * ImGui::GetFontSize());
+}
+
+void whole(const char* id, double& value, double initial, Layout& layout, const char* name, double most) {
+    number(id, value, true, initial, 5 * ImGui::GetFontSize());
+    value = std::clamp(std::round(value), 1., most);
+    layout.note(name);
+}
+
+void set_size(PictureMemory& picture, const Rect& scene, double factor) {
+    picture.width = std::max(1., std::round(scene.width * factor));
+    picture.height = std::max(1., std::round(scene.height * factor));
+}
+
+void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
+    const double density = ImGui::GetIO().DisplayFramebufferScale.x;
+    row("Size");
+    whole("##width", picture.width, picture.width, layout, "picture width", largest);
+    ImGui::SameLine();
+    ImGui::TextUnformatted("\u00d7");
+    ImGui::SameLine();
+    whole("##height", picture.height, picture.height, layout, "picture height", largest);
+    if (next_button("Window size", layout, "picture window size")) set_size(picture, scene, density);
+    if (next_button("\u00d7 4", layout, "picture times 4")) set_size(picture, scene, 4 * density);
+    row("Samples", "samples per pixel; more make edges smoother");
+    whole("##samples", picture.samples, 4, layout, "picture samples", 64);
+    follow(check_box_width("Transparent"), ImGui::GetFontSize());
+    ImGui::Checkbox("Transparent", &picture.transparent);
+    tip("Leaves out the background (PNG and EXR only)");
+    layout.note("picture transparent");
+}
+
+void sequence_rows(PictureMemory& picture, Layout& layout) {
+    row("Sequence", "numbered pictures of a time span");
+    ImGui::Checkbox("##sequence", &picture.sequence);
+    layout.note("picture sequence");
+    if (!picture.sequence) return;
+    const float field = 5 * ImGui::GetFontSize();
+    row("Seconds");
+    number("##from", picture.from, false, 0, field);
+    layout.note("picture from");
+    ImGui::SameLine();
+    ImGui::TextUnformatted("to");
+    ImGui::SameLine();
+    number("##to", picture.to, false, 10, field);
+    layout.note("picture to");
+    row("Per second");
+    number("##rate", picture.rate, false, 25, field);
+    picture.rate = std::clamp(picture.rate, 1e-3, 1e5);
+    layout.note("picture rate");
+    const int count = picture_count(picture);
+    const std::string told =
+        fmt::format("{}, the last at {:.6g} s", counted(static_cast<std::size_t>(count), "picture"),
+                    picture.from + (count - 1) / picture.rate);
+    follow(width_of(told));
+    ImGui::TextDisabled("%s", told.c_str());
+}
+
+void answers(PictureMemory& picture, bool moves, Requests& requests, Layout& layout) {
+    if (save_button(picture, "picture", layout)) requests.picture = PictureRequest::save;
+    if (next_button("Copy command", layout, "picture command")) requests.picture = PictureRequest::command;
+    tip(moves ? "Copies the 'snell render' command, which draws animated sliders at rest"
+              : "Copies the 'snell render' command that draws the same");
+    cancel_button(picture, "picture", layout);
+}
+
+void progress_row(const PictureMemory& picture, Requests& requests, Layout& layout) {
+    const float stop = button_width("Stop") + ImGui::GetStyle().ItemSpacing.x;
+    const std::string percent = fmt::format("{:.0f} %", std::floor(*picture.progress * 100));
+    ImGui::ProgressBar(static_cast<float>(*picture.progress), {-stop, 0}, percent.c_str());
+    ImGui::SameLine();
+    if (button("Stop", layout, "picture stop") || pressed(Key::escape)) requests.picture = PictureRequest::stop;
+}
+
+}  // namespace
+
+int picture_count(const PictureMemory& picture) {
+    if (!picture.sequence) return 1;
+    return static_cast<int>(std::clamp(std::round((picture.to - picture.from) * picture.rate), 1., most_pictures));
+}
+
+void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
+    PictureMemory& picture = memory.picture;
+    if (!picture.open || !facts.scene || !begin_dialog(picture_title, 36)) return;
+    ImGui::BeginDisabled(picture.progress.has_value());
+    row("File", "The extension sets the format: .png, .bmp, .exr \u2026");
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGui::InputText("##file", picture.file.data(), picture.file.size());
+    layout.note("picture file");
+    size_row(picture, memory.scene, layout);
+    if (facts.animated || memory.animating())
+        sequence_rows(picture, layout);
+    else
+        picture.sequence = false;
+    ImGui::EndDisabled();
+    ImGui::Spacing();
+    if (picture.progress)
+        progress_row(picture, requests, layout);
+    else
+        answers(picture, picture.sequence && memory.animating(), requests, layout);
+    end_dialog(picture);
 }
 
 }  // namespace snell::ui

@@ -1,14 +1,16 @@
-// The dialogs that ask for a name: to save the scene with its current values under another name, or as
-// a page, and to write a found rung.
+// The dialogs that ask for a name: to save the scene with its current values under another name, or as a page, to write
+// a found rung, and to save the picture in any size, or a sequence of pictures over a span of time.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "src/ui/kit/kit.h"
 
 namespace snell::ui {
 
+struct Facts;
 struct Memory;
 struct Requests;
 
@@ -18,11 +20,36 @@ struct SaveAs {
     std::string there;              // the name that was given, if the user is asked to replace a file; empty if not
     std::string existing;           // that file
     std::string error;              // why nothing was saved; empty if there was no error
+
+    // True while the user is asked, unless the name was changed.
+    bool asks() const { return !there.empty() && there == file.data(); }
 };
 
+// True if the file of this path may be written: it does not exist, or the user has confirmed. Otherwise the dialog
+// asks.
+bool confirmed(SaveAs& dialog, bool exists, const std::string& path);
 // Opens a dialog with a name to begin with.
 void open_save_as(SaveAs& dialog, const std::string& name);
 // Draws the dialogs while they are open.
 void save_as_windows(Memory& memory, Requests& requests, Layout& layout);
+
+// The name is as for `snell render -o`.
+struct PictureMemory : SaveAs {
+    double width = 0, height = 0;  // whole numbers, as is `samples`
+    double samples = 4;            // per pixel
+    bool transparent = false;
+    // Saves pictures from time `from` to `to`, in seconds, without the one at `to`; `rate` is pictures per second.
+    bool sequence = false;
+    double from = 0, to = 10, rate = 25;
+    std::optional<double> progress;  // 0 to 1 while pictures are being saved
+};
+
+// The number of pictures of a sequence; picture k is at time from + k / rate.
+int picture_count(const PictureMemory& picture);
+
+enum class PictureRequest : unsigned char { none, open, save, command, stop };
+
+// Draws the dialog while it is open.
+void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 
 }  // namespace snell::ui

@@ -24,7 +24,6 @@
 #include "src/ui/panels/browser.h"
 #include "src/ui/panels/found.h"
 #include "src/ui/panels/frame_cost.h"
-#include "src/ui/panels/picture_out.h"
 #include "src/ui/panels/pixels.h"
 #include "src/ui/panels/save_as.h"
 #include "src/ui/panels/textures.h"

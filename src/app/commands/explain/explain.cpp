@@ -267,9 +267,7 @@ Exit explain(const ExplainOptions& options) {
     if (document->runtime)
         for (const std::string& set : options.sets) set_control(document->controls, document->scene(), set, chosen);
     document->diagnostics.append(chosen);
-    Diagnostics errors;
-    for (const Diagnostic& diagnostic : document->diagnostics.items())
-        if (diagnostic.severity == Severity::error) errors.add(diagnostic);
+    const Diagnostics errors = errors_of(document->diagnostics);
     fmt::print(stderr, "{}", snell::render(errors, document->sources));
     if (!document->runtime) return exit_input;
     measure(report, *document, planned, options, {watch, deadline, progress});

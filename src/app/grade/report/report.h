@@ -10,8 +10,6 @@
 
 namespace snell::app {
 
-// The folder that `snell grade` writes: pages for people, tables for programs. It works from a disk, without a network.
-
 // Writes index.html, a page next to each record, results.csv, results.json, junit.xml and pages of similar shaders.
 // Returns "" or the error.
 std::string write_report(const Grades& grades, const std::string& output);

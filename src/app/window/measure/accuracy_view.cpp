@@ -217,11 +217,6 @@ void choose_last(const Scene& scene, Rungs& rungs) {
     for (std::size_t i = 0; i < rungs.size(); ++i) rungs[i] = scene.ladders[i].rungs.size() - 1;
 }
 
-std::string first_error(const Diagnostics& diagnostics) {
-    const auto error = ranges::find(diagnostics.items(), Severity::error, &Diagnostic::severity);
-    return error == diagnostics.items().end() ? std::string() : error->message;
-}
-
 }  // namespace
 
 Refinement::Refinement(std::string path, const gl::Caps& caps)
@@ -244,8 +239,9 @@ void Refinement::open_reference() {
     reference_ = open_document(path_, caps_, choose_last, nullptr, options, shown_->files->access());
     if (!reference_->runtime || reference_->scene().ladders.size() != shown_->scene().ladders.size())
         note_ = "The scene cannot be read.";
-    else if (reference_->diagnostics.errors() > shown_->diagnostics.errors())
-        note_ = "With the last rung of every ladder: " + first_error(reference_->diagnostics);
+    else if (const Diagnostic* const error = first_error(reference_->diagnostics);
+             error && reference_->diagnostics.errors() > shown_->diagnostics.errors())
+        note_ = "With the last rung of every ladder: " + error->message;
 }
 
 void Refinement::follow(Document& shown, bool stale, const Stand& stand, Document* scene) {

@@ -29,14 +29,8 @@ std::string restore(int number, Document& document) {
 }
 
 void save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& served) {
-    const bool replace = dialog.there == dialog.file.data() && !dialog.there.empty();
     SavedAs saved = saved_as(document, dialog.file.data());
-    dialog.there.clear();
-    if (saved.error.empty() && saved.exists && !replace) {
-        dialog.there = dialog.file.data();
-        dialog.existing = short_name(saved.file.path);
-        return;
-    }
+    if (!ui::confirmed(dialog, saved.error.empty() && saved.exists, saved.file.path)) return;
     if (saved.error.empty()) saved.error = content::replace_file(saved.file.path, saved.file.after);
     dialog.error = std::move(saved.error);
     if (!dialog.error.empty()) return;
