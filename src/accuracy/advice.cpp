@@ -25,22 +25,6 @@ bool quick_enough(const RungResult& rung, const Wish& wish) {
     return !wish.milliseconds || rung.high <= *wish.milliseconds;
 }
 
-std::size_t combinations(const Scene& scene) {
-    std::size_t product = 1;
-    for (const Ladder& ladder : scene.ladders) product = std::min<std::size_t>(product * ladder.rungs.size(), 1 << 20);
-    return product;
-}
-
-std::vector<Rungs> all_combinations(const Scene& scene) {
-    std::vector<Rungs> all;
-    for (Rungs rungs(scene.ladders.size(), 0);;) {
-        all.push_back(rungs);
-        std::size_t i = rungs.size();
-        while (i > 0 && ++rungs[i - 1] == scene.ladders[i - 1].rungs.size()) rungs[--i] = 0;
-        if (i == 0) return all;
-    }
-}
-
 // `centre`, and all combinations that differ from it in one ladder.
 std::vector<Rungs> neighbours(const Scene& scene, const Rungs& centre) {
     std::vector<Rungs> near{centre};
@@ -53,37 +37,16 @@ std::vector<Rungs> neighbours(const Scene& scene, const Rungs& centre) {
     return near;
 }
 
-// Makes a sweep against the reference, with ratios to `base`; both are added if they are missing.
-Sweep sweep_of(const Scene& scene, std::vector<Rungs> all, const Rungs& base) {
-    const auto place = [&](const Rungs& rungs) {
-        const auto found = ranges::find(all, rungs);
-        const auto at = static_cast<std::size_t>(found - all.begin());
-        if (found == all.end()) all.push_back(rungs);
-        return at;
-    };
-    Sweep sweep{.kind = SweepKind::lattice};
-    sweep.reference = place(last_rungs(scene));
-    sweep.current = place(base);
-    for (std::size_t i = 0; i < scene.ladders.size(); ++i) {
-        sweep.name += (i > 0 ? " " : "") + scene.ladders[i].name;
-        sweep.moved.push_back(i);
-    }
-    for (const Rungs& rungs : all) {
-        std::string name;
-        for (std::size_t i = 0; i < rungs.size(); ++i) name += (i > 0 ? " " : "") + scene.ladders[i].rungs[rungs[i]];
-        sweep.rungs.push_back({std::move(name), {rungs, {}}, rungs, {}});
-    }
-    return sweep;
-}
-
 class Adviser {
 public:
     Adviser(Bench& bench, const Rungs& now, const MeasureOptions& options)
-        : bench_(bench), now_(now), options_(options) {}
+        : bench_(bench), now_(now), options_(options), ladders_(now.size()) {
+        std::iota(ladders_.begin(), ladders_.end(), std::size_t{0});
+    }
 
     Counsel run(std::span<const Wish> wishes) {
-        const bool few = combinations(bench_.scene()) <= few_combinations;
-        if (few) measure_all(all_combinations(bench_.scene()), options_.seconds);
+        const bool few = count_combinations(bench_.scene(), ladders_) <= few_combinations;
+        if (few) measure_all(all_combinations(bench_.scene(), ladders_), options_.seconds);
         for (std::size_t i = 0; i < wishes.size(); ++i) {
             const double share = left() / static_cast<double>(wishes.size() - i);
             counsel_.advice.push_back(few ? of_all(wishes[i]) : climb(wishes[i], share));
@@ -97,7 +60,8 @@ private:
     const SweepResult& measure_all(std::vector<Rungs> all, double seconds) {
         MeasureOptions measuring = options_;
         measuring.seconds = std::max(seconds, .1);
-        counsel_.sweeps.push_back(measure(bench_, sweep_of(bench_.scene(), std::move(all), now_), measuring));
+        counsel_.sweeps.push_back(
+            measure(bench_, combination_sweep(bench_.scene(), ladders_, std::move(all), now_), measuring));
         return counsel_.sweeps.back();
     }
 
@@ -136,6 +100,7 @@ private:
     Bench& bench_;
     Rungs now_;
     const MeasureOptions& options_;
+    std::vector<std::size_t> ladders_;  // all
     Counsel counsel_;
     runtime::Stopwatch watch_;
 };

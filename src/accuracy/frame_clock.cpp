@@ -54,6 +54,10 @@ Times FrameClock::sample(const Draw& draw, double at_least) const {
     return of(draw, std::clamp(static_cast<int>(std::ceil(at_least / std::max(first.wall, .01))), 1, 100));
 }
 
+double FrameClock::sample_milliseconds(double frame, double at_least) {
+    return frame > long_enough ? frame : frame + std::max(frame, at_least);
+}
+
 double FrameClock::warm_up(const Draw& draw, ClockKind clock) const {
     double last = 0;
     for (int i = 0; i < 5; ++i) {

@@ -36,6 +36,8 @@ public:
     // Draws one frame that is not timed, as something else drew before and caches and cube maps are in its state; then
     // frames until `at_least` milliseconds have passed.
     Times sample(const Draw& draw, double at_least) const;
+    // The milliseconds that this takes where a frame takes so many.
+    static double sample_milliseconds(double frame, double at_least);
     // Draws until two consecutive frames differ by less than a fifth, at most five times. Returns the milliseconds of
     // the last one.
     double warm_up(const Draw& draw, ClockKind clock) const;

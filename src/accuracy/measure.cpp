@@ -346,6 +346,10 @@ void take_times(RungResult& rung, std::span<const Times> rounds) {
     rung.gpu = by_clock(rounds, ClockKind::gpu);
 }
 
+bool SweepResult::timed() const {
+    return ranges::any_of(rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+}
+
 double SweepResult::error(const RungResult& rung) const {
     const double rmse = rung.own.light.rmse;
     if (!std::isfinite(rmse)) return rmse;  // whatever its directions are

@@ -66,6 +66,11 @@ struct SweepResult {
 
     // True if the verdicts are meaningful.
     bool trusted() const { return cannot_say.empty() && !few_rounds; }
+    // Whether any of the rungs was timed.
+    bool timed() const;
+    bool on_front(const RungResult& rung) const {
+        return trusted() && rung.rounds > 0 && rung.verdict.standing == Standing::front;
+    }
     // The error by `metric`, which the front uses: an RMSE is at least the residual, so nothing ranks below it.
     double error(const RungResult& rung) const;
     // What errors are from: the reference, or, of found rungs, the scene as it is. May be empty.

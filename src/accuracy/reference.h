@@ -13,8 +13,6 @@
 
 namespace snell::accuracy {
 
-// The pictures that errors are measured against: the last rungs, with finer knobs than any scene is drawn with.
-
 // The finest picture that the time allowed, and the same at half its knobs. The knobs are doubled until then, so the
 // picture is nearer to the limit than the distance of the two.
 struct Reference {

@@ -52,10 +52,7 @@ std::size_t Rounds::needed() const {
     return std::min(std::max(rounds_for(taking_part()), fewest_rounds), static_cast<std::size_t>(options_.rounds));
 }
 
-// In milliseconds.
-double Rounds::sample(std::size_t i) const {
-    return *frame_[i] > 500 ? *frame_[i] : *frame_[i] + std::max(*frame_[i], options_.at_least);
-}
+double Rounds::sample(std::size_t i) const { return FrameClock::sample_milliseconds(*frame_[i], options_.at_least); }
 
 // If there is time for as many rounds as a front needs, all take part in all of them. Otherwise, so many rounds are the
 // aim, and entrants that would use more than their share of the time take part in every second, fourth or eighth:

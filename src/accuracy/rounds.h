@@ -60,7 +60,7 @@ private:
     void decide();
     std::size_t taking_part() const;
     std::size_t needed() const;
-    double sample(std::size_t entrant) const;
+    double sample(std::size_t entrant) const;  // milliseconds
     double stride(double time);
 
     std::vector<Entrant> entrants_;

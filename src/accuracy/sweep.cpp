@@ -163,6 +163,50 @@ Rungs last_rungs(const Scene& scene) {
     return rungs;
 }
 
+std::size_t count_combinations(const Scene& scene, const std::vector<std::size_t>& ladders) {
+    std::size_t product = 1;
+    for (const std::size_t ladder : ladders)
+        product = std::min<std::size_t>(product * scene.ladders[ladder].rungs.size(), 1 << 20);
+    return product;
+}
+
+std::vector<Rungs> all_combinations(const Scene& scene, const std::vector<std::size_t>& ladders) {
+    std::vector<Rungs> all;
+    Rungs rungs = last_rungs(scene);
+    for (const std::size_t ladder : ladders) rungs[ladder] = 0;
+    while (true) {
+        all.push_back(rungs);
+        std::size_t i = ladders.size();
+        while (i > 0 && ++rungs[ladders[i - 1]] == scene.ladders[ladders[i - 1]].rungs.size()) rungs[ladders[--i]] = 0;
+        if (i == 0) return all;
+    }
+}
+
+Sweep combination_sweep(const Scene& scene, const std::vector<std::size_t>& ladders, std::vector<Rungs> all,
+                        const Rungs& base) {
+    const auto place = [&](const Rungs& rungs) {
+        const auto found = ranges::find(all, rungs);
+        const auto at = static_cast<std::size_t>(found - all.begin());
+        if (found == all.end()) all.push_back(rungs);
+        return at;
+    };
+    Sweep sweep{.kind = SweepKind::lattice};
+    sweep.reference = place(last_rungs(scene));
+    sweep.current = place(base);
+    sweep.moved = ladders;
+    for (const Rungs& rungs : all)
+        sweep.rungs.push_back({.name = {}, .variant = {rungs, {}}, .steps = {}, .elsewhere = {}});
+    for (const std::size_t ladder : ladders) {
+        const std::string_view between = sweep.name.empty() ? "" : " ";
+        sweep.name.append(between).append(scene.ladders[ladder].name);
+        for (SweepRung& rung : sweep.rungs) {
+            rung.steps.push_back(rung.variant.rungs[ladder]);
+            rung.name.append(between).append(scene.ladders[ladder].rungs[rung.steps.back()]);
+        }
+    }
+    return sweep;
+}
+
 std::vector<Sweep> ladder_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
                                  Diagnostics& diagnostics) {
     std::vector<Sweep> sweeps;
@@ -175,8 +219,7 @@ std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std
                                  Diagnostics& diagnostics) {
     std::vector<std::size_t> ladders = find_ladders(scene, names, diagnostics);
     if (names.empty() && ladders.size() > most_ladders) ladders.resize(most_ladders);
-    std::size_t combinations = 1;
-    for (std::size_t ladder : ladders) combinations *= scene.ladders[ladder].rungs.size();
+    const std::size_t combinations = count_combinations(scene, ladders);
     if (ladders.empty() || ladders.size() > most_ladders || combinations > most_combinations) {
         diagnostics.error(
             "lattice-size",
@@ -186,27 +229,9 @@ std::vector<Sweep> lattice_sweep(const Scene& scene, const Rungs& now, const std
             fmt::format("choose at most {} ladders with at most {} combinations", most_ladders, most_combinations));
         return {};
     }
-    Sweep sweep{.kind = SweepKind::lattice, .moved = ladders};
-    std::vector<std::size_t> steps(ladders.size(), 0);
-    for (std::size_t n = 0; n < combinations; ++n) {
-        SweepRung rung{.variant = {last_rungs(scene), {}}, .steps = steps};
-        bool current = true;
-        for (std::size_t i = 0; i < ladders.size(); ++i) {
-            const Ladder& ladder = scene.ladders[ladders[i]];
-            rung.variant.rungs[ladders[i]] = steps[i];
-            rung.name += (i > 0 ? " " : "") + ladder.rungs[steps[i]];
-            current = current && steps[i] == now[ladders[i]];
-        }
-        if (current) sweep.current = n;
-        sweep.rungs.push_back(std::move(rung));
-        for (std::size_t i = ladders.size(); i-- > 0;) {
-            if (++steps[i] < scene.ladders[ladders[i]].rungs.size()) break;
-            steps[i] = 0;
-        }
-    }
-    for (std::size_t ladder : ladders) sweep.name += (sweep.name.empty() ? "" : " ") + scene.ladders[ladder].name;
-    sweep.reference = combinations - 1;
-    return {sweep};
+    Rungs base = last_rungs(scene);
+    for (const std::size_t ladder : ladders) base[ladder] = now[ladder];
+    return {combination_sweep(scene, ladders, all_combinations(scene, ladders), base)};
 }
 
 std::vector<Sweep> knob_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,

@@ -42,6 +42,14 @@ inline constexpr std::array<std::string_view, 5> knob_names{"samples", "tessella
 // The last rung of every ladder.
 Rungs last_rungs(const Scene& scene);
 
+// How many combinations the rungs of these ladders have; at most 2^20 are counted.
+std::size_t count_combinations(const Scene& scene, const std::vector<std::size_t>& ladders);
+// These, with the other ladders at their last rungs. The last of the ladders changes first.
+std::vector<Rungs> all_combinations(const Scene& scene, const std::vector<std::size_t>& ladders);
+// A sweep over such combinations, against the reference, with ratios to `base`; both are added if they are missing.
+Sweep combination_sweep(const Scene& scene, const std::vector<std::size_t>& ladders, std::vector<Rungs> all,
+                        const Rungs& base);
+
 // Returns a sweep for each named ladder; without names, for all ladders. Reports an error for an unknown name.
 std::vector<Sweep> ladder_sweeps(const Scene& scene, const Rungs& now, const std::vector<std::string>& names, From from,
                                  Diagnostics& diagnostics);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <random>
 #include <tuple>
 
@@ -38,6 +39,15 @@ std::optional<double> FoundRung::flip() const {
     return largest;
 }
 
+void take_errors(RungResult& shown, const FoundRung& rung) {
+    shown.drawn = !rung.at.empty();
+    if (!shown.drawn) return;
+    shown.own = rung.worst()->own;
+    shown.whole = rung.worst()->whole;
+    shown.alone = shown.own.light;
+    shown.flip = rung.flip().value_or(std::nan(""));
+}
+
 const RungResult* FoundResult::times(const FoundRung& rung) const {
     if (!rung.timed) return nullptr;
     const RungResult& result = sweep_of(rung).rungs[*rung.timed];
@@ -51,10 +61,8 @@ const FoundRung* FoundResult::find(std::string_view name) const {
 
 std::vector<const FoundRung*> FoundResult::front() const {
     std::vector<const FoundRung*> members;
-    if (!timed.trusted()) return members;
     for (const FoundRung& rung : rungs)
-        if (const RungResult* times_of = times(rung);
-            rung.aim == Aim::cheaper && times_of && times_of->verdict.standing == Standing::front)
+        if (const RungResult* of = times(rung); rung.aim == Aim::cheaper && of && timed.on_front(*of))
             members.push_back(&rung);
     ranges::stable_sort(members, {}, [&](const FoundRung* rung) { return times(*rung)->ratio.middle; });
     return members;

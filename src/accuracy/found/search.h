@@ -78,6 +78,9 @@ struct BrokenPlace {
     NonFinite pixels;
 };
 
+// The errors of the worst place, and whether there are any.
+void take_errors(RungResult& shown, const FoundRung& rung);
+
 struct FoundResult {
     std::string scene;  // as the user gave it
     // Why nothing is sought: every rung is refused for this reason. Empty: nothing is wrong with the scene as it is.

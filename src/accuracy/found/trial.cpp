@@ -213,13 +213,9 @@ Entrant Trials::entrant(Bench& bench, std::array<int, 2> size) const {
 }
 
 RungResult Trials::summary(const FoundRung& rung, Trial& trial) {
-    const Difference& worst = *rung.worst();
-    RungResult shown{.name = rung.name, .steps = rung.changes, .drawn = true};
+    RungResult shown{.name = rung.name, .steps = rung.changes};
+    take_errors(shown, rung);
     shown.picture = picture(trial, 0).value_or(Picture{});
-    shown.whole = worst.whole;
-    shown.own = worst.own;
-    shown.alone = worst.own.light;
-    shown.flip = rung.flip().value_or(std::nan(""));
     return shown;
 }
 
@@ -273,7 +269,7 @@ std::size_t Search::Impl::fitting(std::size_t most, double part, std::array<int,
     std::size_t n = most;
     double frame = 0;
     const auto seconds = [&](std::size_t rungs) {
-        const double sample = frame > 500 ? frame : frame + std::max(frame, options.at_least);
+        const double sample = FrameClock::sample_milliseconds(frame, options.at_least);
         const auto needed = static_cast<double>(rounds_for(rungs + 1) + spare_rounds);
         const auto entrants = static_cast<double>(rungs + 2);
         return entrants * (sample * needed + 3 * frame) / 1e3;

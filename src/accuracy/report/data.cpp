@@ -27,9 +27,7 @@ Json rung_json(const SweepResult& sweep, const RungResult& rung, std::size_t ind
     if (sweep.sweep.kind == SweepKind::lattice) json["steps"] = rung.steps;
     json["n_rounds"] = rung.rounds;
     if (rung.rounds > 0) {
-        json["ms"] = interval_json({rung.low, rung.milliseconds, rung.high});
-        json["ratio_to_current"] = interval_json(rung.ratio);
-        json["cost"] = name(sweep.costs.of(index, sweep.sweep.current));
+        add_times(json, sweep, index, "ratio_to_current");
         json["cpu_ms"] = taken(rung.cpu);
         json["wall_ms"] = taken(rung.wall);
         if (!taken(rung.gpu).empty()) json["gpu_ms"] = taken(rung.gpu);
@@ -73,10 +71,6 @@ struct Row {
     std::string standing() const { return found_standing ? *found_standing : standing_text(sweep, rung); }
     const std::vector<double>& times() const { return rung.times(sweep.clock); }
 };
-
-bool on_front(const SweepResult& sweep, const RungResult& rung) {
-    return sweep.trusted() && rung.rounds > 0 && rung.verdict.standing == Standing::front;
-}
 
 struct Column {
     std::string_view name;
@@ -138,7 +132,7 @@ constexpr Column columns[]{
     {"ref_residual", [](const Row& r) { return r.sweep.residual ? cell(*r.sweep.residual) : ""; }},
     {"below_residual", [](const Row& r) { return cell(r.rung.below_residual); }, drawn},
     {"on_front",
-     [](const Row& r) { return cell(r.found_standing ? *r.found_standing == "front" : on_front(r.sweep, r.rung)); }},
+     [](const Row& r) { return cell(r.found_standing ? *r.found_standing == "front" : r.sweep.on_front(r.rung)); }},
     {"standing", [](const Row& r) { return cell(r.standing()); }, always, words},
     {"cannot_say", [](const Row& r) { return cell(r.sweep.cannot_say); }, always, words},
     {"machine", [](const Row& r) { return cell(r.where.cpu); }, always, words},
@@ -195,7 +189,7 @@ Json sweep_json(const SweepResult& sweep) {
     json["front"] = Json::array();
     json["rungs"] = Json::array();
     for (std::size_t i = 0; i < sweep.rungs.size(); ++i) {
-        if (on_front(sweep, sweep.rungs[i])) json["front"].push_back(sweep.rungs[i].name);
+        if (sweep.on_front(sweep.rungs[i])) json["front"].push_back(sweep.rungs[i].name);
         json["rungs"].push_back(rung_json(sweep, sweep.rungs[i], i));
     }
     return json;

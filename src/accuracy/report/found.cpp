@@ -264,12 +264,9 @@ std::string found_words(const FoundResult& found) {
         "are largest.",
         found.search_width, found.search_height);
     if (found.broken) text += fmt::format(" But {}; these pixels are not compared.", found.broken_words());
-    const auto has_times = [](const SweepResult& sweep) {
-        return !sweep.rungs.empty() && sweep.rungs.back().rounds > 0;
-    };
-    const bool timed = has_times(found.timed);
+    const bool timed = found.timed.timed();
     if (timed) text += fmt::format(" Times are of {}.", size_of_times(found, found.timed_size));
-    if (has_times(found.costs) && (!timed || found.costs_size != found.timed_size))
+    if (found.costs.timed() && (!timed || found.costs_size != found.timed_size))
         text += fmt::format(" What better changes cost, and what changes no pixel, is of {}.",
                             size_of_times(found, found.costs_size));
     if (timed && found.timed.few_rounds) text += " There are too few rounds to compare costs.";
@@ -289,15 +286,9 @@ SweepResult as_sweep(const FoundResult& found, Aim aim) {
     for (const FoundRung& rung : found.rungs) {
         if (rung.aim != aim) continue;
         const RungResult* times = found.times(rung);
-        RungResult shown = times ? *times : RungResult{.name = rung.name};
+        RungResult shown = times ? *times : RungResult{};
         shown.name = rung.name;
-        shown.drawn = !rung.at.empty();
-        if (shown.drawn) {
-            shown.own = rung.worst()->own;
-            shown.whole = rung.worst()->whole;
-            shown.alone = shown.own.light;
-            shown.flip = rung.flip().value_or(std::nan(""));
-        }
+        take_errors(shown, rung);
         sweep.rungs.push_back(std::move(shown));
     }
     sweep.sweep.reference = sweep.sweep.current = sweep.rungs.size();
@@ -317,7 +308,7 @@ std::string found_text(const FoundResult& found) {
         else
             text += fmt::format("{}\n{}", part.heading, content::table_text(table_of(found, part.rungs)));
     if (!folded.empty()) text += content::paragraph("Not shown, but in the report: " + folded + ".", 2);
-    if (!found.timed.rungs.empty() && found.timed.rungs.back().rounds > 0)
+    if (found.timed.timed())
         text += fmt::format("  control: {}, {}\n", ratio_text(found.timed.control.ratio), name(found.timed.clock));
     return text;
 }
@@ -333,8 +324,7 @@ std::string found_markdown(const FoundResult& found, const std::string& plot) {
 std::string found_html(const FoundResult& found) {
     std::string text =
         fmt::format("<section><h2>Found rungs</h2><p class=\"words\">{}</p>", content::escaped(found_words(found)));
-    if (found.timed.rungs.size() > 1 && found.timed.rungs.back().rounds > 0)
-        text += "<div class=\"scroll\">" + plot_html(found.timed) + "</div>";
+    if (found.timed.timed()) text += "<div class=\"scroll\">" + plot_html(found.timed) + "</div>";
     for (const Part& part : parts_of(found)) {
         const std::string table = content::table_html(table_of(found, part.rungs));
         const std::string heading = content::escaped(part.heading);
@@ -393,12 +383,7 @@ FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
     json["at"] = FoundJson::array();
     for (const Difference& difference : rung.at) json["at"].push_back(difference_json(difference));
     if (rung.quick_ratio > 0) json["quick_ratio"] = rung.quick_ratio;
-    if (const RungResult* times = found.times(rung)) {
-        json["n_rounds"] = times->rounds;
-        json["ms"] = interval_json({times->low, times->milliseconds, times->high});
-        json["ratio_to_scene"] = interval_json(times->ratio);
-        json["cost"] = name(found.sweep_of(rung).costs.of(*rung.timed, found.sweep_of(rung).sweep.current));
-    }
+    if (found.times(rung)) add_times(json, found.sweep_of(rung), *rung.timed, "ratio_to_scene");
     if (rung.aim == Aim::unused) json["saves"] = {{"gpu_bytes", rung.gpu_bytes}, {"bytes_decoded", rung.bytes_decoded}};
     if (rung.load_ms) json["saves"]["load_ms"] = *rung.load_ms;
     return json;

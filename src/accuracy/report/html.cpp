@@ -93,7 +93,7 @@ std::string pictures(const SweepResult& sweep) {
 }
 
 std::string section(const SweepResult& sweep) {
-    const bool timed = ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
+    const bool timed = sweep.timed();
     std::string out = fmt::format("<section><h2>{}</h2><p class=\"words\">{}</p>", content::escaped(sweep.sweep.name),
                                   content::escaped(in_words(sweep)));
     if (timed) out += "<div class=\"scroll\">" + plot_html(sweep) + "</div>";

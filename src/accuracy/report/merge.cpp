@@ -88,18 +88,13 @@ std::string changes_of(const Json& rung) {
     return text;
 }
 
-// The found rungs that were timed.
-OnMachine found_on(const Json& found, std::size_t index) {
-    OnMachine on{index,
-                 text_of(found.at("scene")),
-                 found.at("timed_size").get<std::array<int, 2>>(),
-                 found.at("trusted").get<bool>(),
-                 {},
-                 {}};
-    for (const Json& rung : found.at("rungs")) {
-        const Measured cost = text_of(rung.at("aim")) == "cheaper" ? cost_of(rung, "ratio_to_scene") : Measured{};
-        if (!cost.known) continue;
-        on.order.push_back(changes_of(rung));
+// Those of a ladder, or the cheaper found rungs that were timed.
+OnMachine rungs_on(const Json& table, std::size_t index, std::array<int, 2> size, bool found) {
+    OnMachine on{index, text_of(table.at("scene")), size, table.at("trusted").get<bool>(), {}, {}};
+    for (const Json& rung : table.at("rungs")) {
+        const Measured cost = cost_of(rung, found ? "ratio_to_scene" : "ratio_to_current");
+        if (found && (!cost.known || text_of(rung.at("aim")) != "cheaper")) continue;
+        on.order.push_back(found ? changes_of(rung) : text_of(rung.at("rung")));
         on.costs[on.order.back()] = cost;
     }
     return on;
@@ -111,19 +106,14 @@ Machine machine_of(const Json& json, const std::string& file, std::size_t index)
     Machine machine{fmt::format("{} ({}, {}, {} x {})", utf8::printable(file), text_of(gl.at("renderer")),
                                 text_of(host.at("cpu")), size[0], size[1]),
                     {}};
-    for (const Json& ladder : json.at("ladders")) {
-        OnMachine on{index, text_of(ladder.at("scene")), size, ladder.at("trusted").get<bool>(), {}, {}};
-        for (const Json& rung : ladder.at("rungs")) {
-            on.order.push_back(text_of(rung.at("rung")));
-            on.costs[on.order.back()] = cost_of(rung, "ratio_to_current");
-        }
-        Key key{on.scene, text_of(ladder.at("ladder"))};
-        machine.ladders[std::move(key)] = std::move(on);
-    }
-    for (const Json& found : json.value("found", Json::array())) {
-        OnMachine on = found_on(found, index);
-        if (!on.order.empty()) machine.ladders[{on.scene, "found rungs"}] = std::move(on);
-    }
+    const auto add = [&](OnMachine on, const std::string& table) {
+        Key key{on.scene, table};
+        if (!on.order.empty()) machine.ladders[std::move(key)] = std::move(on);
+    };
+    for (const Json& ladder : json.at("ladders"))
+        add(rungs_on(ladder, index, size, false), text_of(ladder.at("ladder")));
+    for (const Json& found : json.value("found", Json::array()))
+        add(rungs_on(found, index, found.at("timed_size").get<std::array<int, 2>>(), true), "found rungs");
     return machine;
 }
 

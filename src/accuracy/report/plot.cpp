@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_labels = 24;
 
 content::PlotPoint point_of(const SweepResult& sweep, const RungResult& rung) {
-    const bool front = sweep.trusted() && rung.verdict.standing == Standing::front;
+    const bool front = sweep.on_front(rung);
     content::PlotPoint point{.name = rung.name,
                              .error = sweep.error(rung),
                              .milliseconds = rung.milliseconds,

@@ -108,6 +108,15 @@ inline nlohmann::ordered_json interval_json(const Interval& interval) {
     return {{"median", number(interval.middle)}, {"lo95", number(low)}, {"hi95", number(interval.high)}};
 }
 
+// Of a rung that was timed; `base`: what its ratio is to.
+inline void add_times(nlohmann::ordered_json& json, const SweepResult& sweep, std::size_t index, const char* base) {
+    const RungResult& rung = sweep.rungs[index];
+    json["n_rounds"] = rung.rounds;
+    json["ms"] = interval_json({rung.low, rung.milliseconds, rung.high});
+    json[base] = interval_json(rung.ratio);
+    json["cost"] = name(sweep.costs.of(index, sweep.sweep.current));
+}
+
 inline nlohmann::ordered_json figures_json(const Figures& figures) {
     return {{"rmse", number(figures.rmse)},
             {"psnr_db", number(figures.psnr)},

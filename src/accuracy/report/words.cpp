@@ -2,6 +2,7 @@
 // out.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ std::string bargain_sentence(const SweepResult& sweep) {
     if (!(sweep.error(base) > 0) || !std::isfinite(sweep.error(base))) return {};
     const RungResult* best = nullptr;
     for (const RungResult& rung : sweep.rungs) {
-        if (rung.verdict.standing != Standing::front || rung.rounds == 0 || &rung == last_of(sweep)) continue;
+        if (!sweep.on_front(rung) || &rung == last_of(sweep)) continue;
         if (sweep.error(rung) > .5 * sweep.error(base)) continue;
         if (!best || rung.milliseconds < best->milliseconds) best = &rung;
     }
@@ -177,7 +178,7 @@ namespace {
 
 std::string cost_sentences(const SweepResult& sweep) {
     std::string text;
-    if (base_of(sweep).rounds == 0) return "Nothing was timed.";
+    if (!sweep.timed()) return "Nothing was timed.";
     if (sweep.few_rounds) return "There are too few rounds to compare costs.";
     text = price_sentence(sweep);
     if (const std::string noise = noise_sentence(sweep.control); !noise.empty()) text += " " + noise;
@@ -187,14 +188,16 @@ std::string cost_sentences(const SweepResult& sweep) {
     return text;
 }
 
-// "'a' and 'b'": the rungs for which `which` is true; empty if there are none.
+// What is said of the rungs for which `which` is true, such as " {} is dear." of one, and of several; empty if there
+// are none.
 template <class Which>
-std::string those(const SweepResult& sweep, const Which& which, std::size_t& count) {
+std::string said_of(const SweepResult& sweep, const Which& which, std::string_view one, std::string_view several) {
     std::vector<std::string> names;
     for (const RungResult& rung : sweep.rungs)
         if (rung.drawn && which(rung)) names.push_back("'" + rung.name + "'");
-    count = names.size();
-    return list_text(names);
+    if (names.empty()) return {};
+    const std::string list = list_text(names);
+    return fmt::vformat(names.size() > 1 ? several : one, fmt::make_format_args(list));
 }
 
 // "'a' and 'b'", or how many there are of more than three.
@@ -205,11 +208,10 @@ std::string some_text(const std::vector<std::string>& names) {
 // What there was no time for.
 std::string left_out_sentence(const SweepResult& sweep) {
     std::vector<std::string> undrawn, untimed;
-    const bool timed = base_of(sweep).rounds > 0;
     for (const RungResult& rung : sweep.rungs)
         if (!rung.drawn)
             undrawn.push_back("'" + rung.name + "'");
-        else if (timed && rung.rounds == 0)
+        else if (sweep.timed() && rung.rounds == 0)
             untimed.push_back("'" + rung.name + "'");
     std::string text;
     if (!undrawn.empty())
@@ -246,26 +248,20 @@ std::string in_words(const SweepResult& sweep) {
     if (!sweep.cannot_say.empty())
         return fmt::format("Can't say: {}.{}", sweep.cannot_say, unmeasured(sweep) ? "" : left_out_sentence(sweep));
     std::string text = cost_sentences(sweep);
-    std::size_t count = 0;
     const auto reference = last_of(sweep);
-    if (const std::string same = those(
-            sweep, [&](const RungResult& rung) { return rung.below_residual && &rung != reference; }, count);
-        count > 0 && sweep.metric == Metric::rmse)
-        text += fmt::format(" {} {} not told apart from the reference.", same, count > 1 ? "are" : "is");
-    if (const std::string far = those(
-            sweep, [](const RungResult& rung) { return rung.saturated; }, count);
-        count > 0 && sweep.sweep.kind != SweepKind::lattice)
-        text += fmt::format(" The {} of {} {} so large that RMSE no longer ranks.", count > 1 ? "errors" : "error", far,
-                            count > 1 ? "are" : "is");
-    if (const std::string expensive = those(
-            sweep, [](const RungResult& rung) { return rung.cliff; }, count);
-        count > 0)
-        text +=
-            fmt::format(" {} {} more expensive than both neighbours (a cliff).", expensive, count > 1 ? "are" : "is");
-    if (const std::string odd = those(
-            sweep, [](const RungResult& rung) { return rung.whole.nonfinite > 0; }, count);
-        count > 0)
-        text += fmt::format(" Some pixels of {} are NaN or infinite.", odd);
+    if (sweep.metric == Metric::rmse)
+        text += said_of(
+            sweep, [&](const RungResult& rung) { return rung.below_residual && &rung != reference; },
+            " {} is not told apart from the reference.", " {} are not told apart from the reference.");
+    if (sweep.sweep.kind != SweepKind::lattice)
+        text += said_of(sweep, std::mem_fn(&RungResult::saturated),
+                        " The error of {} is so large that RMSE no longer ranks.",
+                        " The errors of {} are so large that RMSE no longer ranks.");
+    text += said_of(sweep, std::mem_fn(&RungResult::cliff), " {} is more expensive than both neighbours (a cliff).",
+                    " {} are more expensive than both neighbours (a cliff).");
+    constexpr std::string_view odd = " Some pixels of {} are NaN or infinite.";
+    text += said_of(
+        sweep, [](const RungResult& rung) { return rung.whole.nonfinite > 0; }, odd, odd);
     text += left_out_sentence(sweep);
     text += hidden_sentences(sweep);
     return text.starts_with(' ') ? text.substr(1) : text;
@@ -330,8 +326,7 @@ std::string table_text(const SweepResult& sweep) {
         "\n" +
         content::paragraph(fmt::format("{}, {}; {}", sweep.sweep.name, area_text(sweep), sweep.reference_note), 0);
     text += content::table_text(rung_table(sweep));
-    if (sweep.rungs[sweep.sweep.current].rounds > 0)
-        text += fmt::format("  control: {}, {}\n", ratio_text(sweep.control.ratio), name(sweep.clock));
+    if (sweep.timed()) text += fmt::format("  control: {}, {}\n", ratio_text(sweep.control.ratio), name(sweep.clock));
     return text + content::paragraph(in_words(sweep), 2);
 }
 
@@ -342,7 +337,7 @@ namespace {
 std::string part(const SweepResult& sweep, const std::string& plot) {
     if (unmeasured(sweep))
         return fmt::format("\n{}: {}: not measured\n", content::escaped(sweep.scene), sweep.sweep.name);
-    const bool timed = sweep.rungs[sweep.sweep.current].rounds > 0;
+    const bool timed = sweep.timed();
     std::string text =
         fmt::format("\n## {}: {}\n\n{}\n", content::escaped(sweep.scene), sweep.sweep.name, in_words(sweep));
     text += fmt::format("\nErrors {}; {}.{}\n", area_text(sweep), sweep.reference_note,

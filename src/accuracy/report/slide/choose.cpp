@@ -150,8 +150,7 @@ private:
 };
 
 bool may_be_on_front(const SlideRung& rung) {
-    return rung.timed() && rung.sweep->trusted() && rung.result().verdict.standing == Standing::front &&
-           std::isfinite(rung.point.error);
+    return rung.timed() && rung.sweep->on_front(rung.result()) && std::isfinite(rung.point.error);
 }
 
 // `b` makes `a` superfluous.

@@ -28,17 +28,13 @@ bool has_errors(const SweepResult& sweep) {
            });
 }
 
-bool has_times(const SweepResult& sweep) {
-    return ranges::any_of(sweep.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
-}
-
 // Those with times; of these combinations, then ladders, then knobs; of these the one in which most can be gained.
 const SweepResult* main_sweep(const Report& report) {
     const auto rank = [](const SweepResult& sweep) {
         const RungResult& own = sweep.rungs[sweep.sweep.current];
         const double error = own.drawn && std::isfinite(own.whole.light.rmse) ? own.whole.light.rmse : -1;
         const int kind = sweep.sweep.kind == SweepKind::lattice ? 2 : sweep.sweep.kind == SweepKind::ladder ? 1 : 0;
-        return std::tuple(has_times(sweep), kind, error);
+        return std::tuple(sweep.timed(), kind, error);
     };
     const SweepResult* best = nullptr;
     for (const SweepResult& sweep : report.sweeps)
@@ -46,9 +42,7 @@ const SweepResult* main_sweep(const Report& report) {
     return best;
 }
 
-bool same_clock(const SweepResult& a, const SweepResult& b) {
-    return a.clock == b.clock || !has_times(a) || !has_times(b);
-}
+bool same_clock(const SweepResult& a, const SweepResult& b) { return a.clock == b.clock || !a.timed() || !b.timed(); }
 // Their errors are on one scale, and so are their times.
 bool comparable(const SweepResult& a, const SweepResult& b) {
     return a.scene == b.scene && a.reference == b.reference && same_clock(a, b);
@@ -85,7 +79,7 @@ const FoundResult* found_for(const Report& report, const SweepResult* main) {
         // Frames of other sizes take other times.
         const bool whole = found.timed_size[0] == found.width && found.timed_size[1] == found.height;
         if (timed.rungs.size() < 2 || (main && (main->scene != found.scene || !same_clock(*main, timed)))) continue;
-        if (main && has_times(*main) && (measured < 2 || !whole)) continue;
+        if (main && main->timed() && (measured < 2 || !whole)) continue;
         const Picture* reference = main ? reference_of(*main) : reference_of(timed);
         const bool fits = reference && ranges::all_of(timed.rungs, [&](const RungResult& rung) {
                               return same_size(rung.picture, *reference);
@@ -309,7 +303,7 @@ std::string why_no_front(const Slide& slide, const Shown& shown) {
     if (slide.plot.points.empty()) return "no times were measured";
     if (ranges::any_of(slide.plot.points, &PlotPoint::front)) return {};
     const bool few =
-        ranges::none_of(shown.sweeps, [](const SweepResult* of) { return has_times(*of) && !of->few_rounds; });
+        ranges::none_of(shown.sweeps, [](const SweepResult* of) { return of->timed() && !of->few_rounds; });
     return few ? "too few rounds: no front" : "no front";
 }
 
