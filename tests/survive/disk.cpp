@@ -340,7 +340,10 @@ TEST_F(Disk, SavingReadsNothingOutsideAndKeepsTheLimits) {
     fs::create_directory(at("in"));
     fs::create_symlink("../s.glib", at("in/link.glib"));
     const std::string command = "save " + at("in/link.glib") + " --set uA=.75 -o " + at("copy.glib");
-    snell(command);  // the link's folder lacks the scene's shaders: told of, and written all the same
+    EXPECT_EQ(snell(command).status, 1) << "the link's folder lacks the scene's shader";
+    EXPECT_FALSE(fs::exists(at("copy.glib")));
+    fs::copy(at("p.frag"), at("in/p.frag"));
+    EXPECT_EQ(snell(command).status, 0);
     EXPECT_TRUE(fs::remove(at("copy.glib")));
     const Outcome confined = snell(command + " --confine " + at("in"));
     EXPECT_EQ(confined.status, 1);
