@@ -103,6 +103,7 @@ TEST_F(Outputs, NoFileThatASceneReadsIsOverwritten) {
                                           "check s.glib w.glib --sarif=./" + name,
                                           "compare w.glib s.glib --size 8x8 --json=" + name};
         if (picture) commands.push_back("render w.glib --size 8x8 --skip-existing -o " + name);
+        if (name != "w.glib") commands.push_back("save w.glib -o " + name);
         for (const std::string& command : commands) {
             const Outcome refused = in_folder(command);
             EXPECT_EQ(refused.status, 2) << command << ": " << refused.output;

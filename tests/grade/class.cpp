@@ -33,6 +33,14 @@ protected:
         "[[item]]\nno_errors = true\n[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n";
 };
 
+TEST_F(GradeClass, NamesThatArePrintedAlikeDiffer) {
+    for (const char* name : {"two\nlines", "two\\x0Alines"}) fs::create_directories(at(std::string("s/") + name));
+    rows();
+    const json made = results();
+    ASSERT_EQ(made["submissions"].size(), 3U) << said;
+    EXPECT_NE(made["submissions"][1]["name"], made["submissions"][2]["name"]) << said;
+}
+
 TEST_F(GradeClass, EveryEntryHasARow) {
     scene("s", paint, ball, "bob.glib");  // loose, with its shaders
     fs::create_directories(at("s/empty"));

@@ -24,6 +24,7 @@
 #include "src/app/open/write_copy.h"
 #include "src/app/page/gallery.h"
 #include "src/app/page/page.h"
+#include "src/app/picture/outputs.h"
 #include "src/app/window/window.h"
 #include "src/content/replace.h"
 #include "src/document/document.h"
@@ -155,6 +156,12 @@ Exit write_copy(const Document& document, const Saved& saved, const std::string&
 Exit save(const SaveOptions& options) {
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scene));
+    std::vector<std::string> read = read_by({&options.scene, 1}, {&options.output, 1}, options.access, false);
+    std::erase_if(read, [&](const std::string& file) {  // the scene's own file may be written
+        std::error_code error;
+        return std::filesystem::equivalent(file, options.scene, error);
+    });
+    if (const Exit refused = check_outputs({&options.output, 1}, read); refused != exit_fine) return refused;
     const auto context = headless_context(options.context);
     if (!context) return exit_graphics;
     Diagnostics problems;

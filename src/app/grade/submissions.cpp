@@ -152,13 +152,16 @@ std::string shown_name(const fs::path& path) {
     return utf8::printable((tar ? last.stem() : last).stem().string());
 }
 
-// Names of folders, archives and scenes that are equal get their endings.
+// Names of folders, archives and scenes that are equal get their endings; those that are only printed alike, their ids.
 void name_apart(std::vector<Submission>& submissions) {
-    std::map<std::string, std::size_t> names;
-    for (const Submission& submission : submissions) ++names[submission.name];
-    for (Submission& submission : submissions)
-        if (names[submission.name] > 1)
-            submission.name = utf8::printable(fs::path(submission.path).filename().string());
+    for (const bool printed : {false, true}) {
+        std::map<std::string, std::size_t> names;
+        for (const Submission& submission : submissions) ++names[submission.name];
+        for (Submission& submission : submissions)
+            if (names[submission.name] > 1)
+                submission.name = printed ? fmt::format("{} ({})", submission.name, submission.id)
+                                          : utf8::printable(fs::path(submission.path).filename().string());
+    }
 }
 
 // Letters, digits and some signs, so that it is a name on every file system and in every address.
