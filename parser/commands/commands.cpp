@@ -102,7 +102,7 @@ constexpr Command programs_rows[] = {
     {"GeometryOutput", "topology:gl_points/gl_line_strip/gl_triangle_strip?", "Output primitive of geometry shaders without a layout.", handle::geometry_output},
     {"Program", "name:name? values:uniforms", "Links the current shaders to the program of the following draws, and sets its uniforms: a number, an array [x y z], a range <min current max> on a slider, <true> or <false>, a colour {r g b} or {r g b a}. Without arguments the built-in program draws.", handle::program},
     {"GSTAP", "", "The shaders use the names of the book Graphics Shaders without declaring them: the uniforms uModelViewMatrix, uProjectionMatrix, uModelViewProjectionMatrix, uNormalMatrix and uModelViewMatrixInverse, and in vertex shaders the attributes aVertex, aNormal, aColor and aTexCoord0 to aTexCoord7. snell always provides them, with or without this command; a declaration in the shader wins.", handle::gstap},
-    addition({"Ladder", "name:name rungs:rest", "Declares methods from cheap to exact, the current one in angle brackets; the programs that follow are compiled for it.", handle::ladder}),
+    addition({"Ladder", "name:name rungs:rest", "Declares methods from cheap to exact, the current one in angle brackets; the programs that follow are compiled for it. In shaders its name is the rung's number in this order, from 0; rungs that are numbers are NAME_VALUE.", handle::ladder}),
 };
 
 constexpr Command state_rows[] = {

@@ -125,6 +125,12 @@ TEST_F(NonFiniteInput, CheckTellsWhereNaNBegins) {
     // Several colours: the place is not certain.
     const Outcome two = check("c = d = vec4(uA / uA);", "#version 330\nout vec4 c, d; in");
     EXPECT_TRUE(two.says("s.glib:3:1: warning: program 'P' computes NaN")) << two.output;
+    // Where places in the picture count, it is as large as the scene's window.
+    folder.write("s.glib",
+                 "WindowSize 16 12\nVertex v.vert\nFragment k.frag\nProgram P uA <0. 0. 1.>\n"
+                 "Ortho -1 1 -1 1\nQuadXY 0. 1.\n");
+    EXPECT_FALSE(check("gl_FragColor = vec4(sqrt(16. - gl_FragCoord.x) + uA);").says("NaN"));
+    EXPECT_TRUE(check("gl_FragColor = vec4(sqrt(8. - gl_FragCoord.x) + uA);").says("square root of a negative"));
 }
 
 // What a shader that never ends would show tells nothing: only that is said.

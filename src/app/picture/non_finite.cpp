@@ -25,7 +25,8 @@ std::optional<NonFinite> count_non_finite(Runtime& runtime, const Frame& frame, 
 
 namespace {
 
-constexpr int small = 128;
+using Size = std::array<int, 2>;
+constexpr int small = 128, most = 1024;
 
 // Comments may count: then a picture is drawn for nothing.
 bool may_give_nan(std::string_view text) {
@@ -51,6 +52,16 @@ namespace {
 
 using accuracy::Shader;
 using glsl::Form;
+
+// Of the picture that is tried. Where a shader reads gl_FragCoord, numbers depend on it: that of the scene's window.
+Size tried_size(const Document& document) {
+    for (FileId file = 0; file < document.sources.size(); ++file)
+        if (document.sources.text(file).find("gl_FragCoord") != std::string_view::npos) {
+            const Size& window = document.scene().window_size;
+            return {std::min(window[0], most), std::min(window[1], most)};
+        }
+    return {small, small};
+}
 
 std::vector<bool> all_but(const Scene& scene, Index program) {
     std::vector<bool> hidden;
@@ -96,8 +107,8 @@ public:
         bool infinite = false;
     };
 
-    Origin(const Document& document, Index program, std::vector<bool> nan)
-        : document_(document), program_(program), nan_(std::move(nan)), files_(copy_of_files({})) {
+    Origin(const Document& document, Index program, Size size, std::vector<bool> nan)
+        : document_(document), program_(program), size_(size), nan_(std::move(nan)), files_(copy_of_files({})) {
         auto parsed = parse_document(document.path, *files_, sources_, unheard_);
         if (!parsed) return;
         plan_ = make_plan(std::move(parsed->scene), *files_, sources_, unheard_);
@@ -284,7 +295,7 @@ private:
         plan.scene.output = Encoding::raw;
         Runtime runtime(std::move(plan), *files, sources, gl::query_caps(), wrong, {.previous = &*document_.runtime});
         FloatPicture picture;
-        if (wrong.has_errors() || !picture.resize(small, small)) return seen;
+        if (wrong.has_errors() || !picture.resize(size_[0], size_[1])) return seen;
         const View view;
         const std::vector<bool> hidden = all_but(runtime.scene(), program_);
         std::vector<float> rgba;
@@ -316,6 +327,7 @@ private:
 
     const Document& document_;
     Index program_;
+    Size size_;
     std::vector<bool> nan_;  // pixels
     std::unique_ptr<Files> files_;
     Sources sources_;
@@ -325,18 +337,18 @@ private:
     std::vector<int> expressions_;  // nodes; their numbers begin with 1
 };
 
-std::string pixels_text(std::size_t nan) {
-    return fmt::format("{} of the {} pixels of a small picture", nan, small * small);
+std::string pixels_text(std::size_t nan, Size size) {
+    return fmt::format("{} of the {} pixels of a picture of {} x {}", nan, size[0] * size[1], size[0], size[1]);
 }
 
-void warn(Document& document, Index index, std::size_t nan, const std::optional<Origin::Found>& origin) {
+void warn(Document& document, Index index, Size size, std::size_t nan, const std::optional<Origin::Found>& origin) {
     const Program& program = document.scene().programs[index];
     const char* const shows = "these pixels have no colour, and most drivers show nothing there";
     if (!origin) {
         document.diagnostics.warning(
             "non-finite", program.span,
             fmt::format("program '{}' computes NaN (not a number) in {}, with the scene's values: {}", program.name,
-                        pixels_text(nan), shows),
+                        pixels_text(nan, size), shows),
             "look for 0. / 0., and for pow, sqrt, log, acos or normalize of numbers for which they are not defined; in "
             "the window, N marks these pixels");
         return;
@@ -346,7 +358,7 @@ void warn(Document& document, Index index, std::size_t nan, const std::optional<
                  fmt::format("'{}' {}: {}; program '{}' has NaN in {}, with the scene's values", origin->text,
                              origin->infinite ? "is infinite, and NaN (not a number) is computed from it"
                                               : "is NaN (not a number)",
-                             origin->cause, program.name, pixels_text(nan)),
+                             origin->cause, program.name, pixels_text(nan, size)),
                  fmt::format("{}; in the window, N marks them", shows))
         .notes.push_back({program.span, "the program"});
 }
@@ -358,7 +370,8 @@ void warn_of_nan(Document& document) {
     const View view;
     Frame frame{0, view, document.controls};
     FloatPicture picture;
-    if (!picture.resize(small, small)) return;
+    const Size size = tried_size(document);
+    if (!picture.resize(size[0], size[1])) return;
     std::vector<float> rgba;
     picture.draw(*document.runtime, frame, rgba);
     if (count_flags(rgba)[Flag::nan] == 0) return;
@@ -371,7 +384,7 @@ void warn_of_nan(Document& document) {
         std::vector<bool> nan;
         for (std::size_t i = 0; i < rgba.size(); i += 4)
             nan.push_back(flag_of(std::span<const float, 4>(&rgba[i], 4)) == Flag::nan);
-        warn(document, program, count, Origin(document, program, std::move(nan)).find());
+        warn(document, program, size, count, Origin(document, program, size, std::move(nan)).find());
     }
 }
 
