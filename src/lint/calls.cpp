@@ -9,47 +9,29 @@
 namespace snell::lint {
 
 using glsl::Base;
-using glsl::Kind;
 using glsl::Storage;
 
-std::vector<Walker::Expr> Walker::arguments() {
+Walker::Expr Walker::call(int node) {
+    const glsl::Node& n = at(node);
     std::vector<Expr> given;
-    const int close = matching(p_);
-    ++p_;
-    while (p_ < close) {
-        given.push_back(assignment());
-        if (!accept(",")) break;
-    }
-    p_ = close + 1;
-    return given;
-}
-
-Walker::Expr Walker::call() {
+    for (const int part : parts(node)) given.push_back(evaluate(part));
     Expr e;
-    const int at = e.first = p_;
-    const std::string_view name = text();
-    ++p_;
-    if (is("[")) p_ = matching(p_) + 1;
-    const std::vector<Expr> given = is("(") ? arguments() : std::vector<Expr>{};
-    e.last = p_ - 1;
-    const int after = p_;
-    if (const glsl::Function* f = find_function(at, given.size())) {
+    const std::string_view name = u_.at(n.first).text;
+    if (n.form == glsl::Form::construct) {
+        if (n.type.basic() && n.type.dims == 0) e.v = constructed(n.type, given);
+    } else if (const glsl::Function* f = find_function(n, given.size())) {
         e.v = call_user(*f, given);
-        p_ = after;
     } else if (u_.function_names.contains(name)) {  // it is unknown which one
         for (const Expr& a : given)
             if (a.slot >= 0) forget(a.slot);
-    } else if (const auto type = glsl::builtin_type(name)) {
-        e.v = constructed(*type, given);
     } else {
-        const std::string_view modern = glsl::modern_texture_function(name);
         const Varies before = e.v.varies;
-        e.v = call_builtin(modern.empty() ? name : modern, given, e.first, e.last);
+        e.v = call_builtin(n.text, given, n.first, n.last);
         if (e.v.varies == before && !given.empty()) {
             e.v.varies = Varies::no;
             for (const Expr& a : given) e.v.varies = together(e.v.varies, a.v.varies);
         }
-        if (glsl::builtin_signatures(modern.empty() ? name : modern).empty()) e.v.varies = Varies::unknown;
+        if (glsl::builtin_signatures(n.text).empty()) e.v.varies = Varies::unknown;
         if (!name.starts_with("tex"))  // what is looked up is no direction
             for (const Expr& a : given) e.v.refracted = e.v.refracted || a.v.refracted;
     }
@@ -58,17 +40,15 @@ Walker::Expr Walker::call() {
 }
 
 // The body that a call runs; null where that is not certain.
-const glsl::Function* Walker::find_function(int name, std::size_t arguments) const {
-    const auto known = overloads_.find(name);
-    const glsl::Function* meant =
-        known == overloads_.end() ? nullptr : &u_.functions[static_cast<std::size_t>(known->second)];
+const glsl::Function* Walker::find_function(const glsl::Node& call, std::size_t arguments) const {
+    const glsl::Function* meant = call.function < 0 ? nullptr : &u_.functions[static_cast<std::size_t>(call.function)];
     const auto like = [](const glsl::Function& a, const glsl::Function& b) {
         return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(), b.parameters.end(),
                           [](const glsl::Parameter& x, const glsl::Parameter& y) { return x.type.same(y.type); });
     };
     const glsl::Function* found = nullptr;
     for (const glsl::Function& f : u_.functions) {
-        if (f.open < 0 || f.name != u_.at(name).text || f.parameters.size() != arguments) continue;
+        if (f.block < 0 || f.name != u_.at(call.first).text || f.parameters.size() != arguments) continue;
         if (meant && !like(f, *meant)) continue;
         if (found) return nullptr;
         found = &f;
@@ -82,37 +62,18 @@ Value Walker::call_user(const glsl::Function& f, const std::vector<Expr>& given)
     const bool recursive = std::find(calling_.begin(), calling_.end(), &f) != calling_.end();
     for (std::size_t n = 0; n < given.size(); ++n)
         if (f.parameters[n].storage != Storage::in && given[n].slot >= 0) forget(given[n].slot);
-    if (f.open < 0 || recursive || calling_.size() > 12 || budget_ <= 0) return unknown;
-    const std::size_t frame = frame_, slots = state_.slots.size();
+    if (f.block < 0 || recursive || calling_.size() > 12 || budget_ <= 0) return unknown;
     std::optional<Value> result = std::move(result_);
     result_.reset();
     calling_.push_back(&f);
-    scopes_.emplace_back();
-    frame_ = scopes_.size() - 1;
-    int k = f.name_token + 2;
-    for (std::size_t n = 0; n < given.size(); ++n) {  // the name is the last word before a comma or a bracket
-        int name = -1;
-        for (; k < f.parameters_end && u_.at(k).text != ","; ++k) {
-            if (u_.at(k).text == "[")
-                k = matching(k);
-            else if (u_.at(k).kind == Kind::identifier)
-                name = k;
-        }
-        ++k;
-        if (name < 0) continue;
-        Value v = given[n].v;
-        if (f.parameters[n].storage == Storage::out) v = Value{};
+    for (std::size_t n = 0; n < given.size(); ++n) {
+        if (f.parameters[n].variable < 0) continue;
+        Value v = f.parameters[n].storage == Storage::out ? Value{} : given[n].v;
         v.type = f.parameters[n].type;
-        declare(u_.at(name).text, v);
+        slot(f.parameters[n].variable).value = v;
     }
-    const int depth = depth_;
-    p_ = f.open;
-    block();
-    depth_ = depth;
-    scopes_.pop_back();
-    frame_ = frame;
+    statement(f.block);
     calling_.pop_back();
-    state_.slots.resize(std::min(state_.slots.size(), slots));
     if (!calling_.empty()) state_.dead = false;
     Value v = result_.value_or(unknown);
     v.type = f.result;
@@ -194,7 +155,6 @@ Value Walker::call_builtin(std::string_view name, const std::vector<Expr>& given
         return v;
     }
     if (auto number = call_number(name, given)) return *number;
-    if (!given.empty()) v.type = given[0].v.type;
     return v;
 }
 
@@ -203,11 +163,9 @@ std::optional<Value> Walker::call_number(std::string_view name, const std::vecto
     if (given.empty()) return std::nullopt;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Value v;
-    v.type = given[0].v.type;
     const Range& x = given[0].v.range;
     const auto range = [&](std::size_t n) { return n < given.size() ? given[n].v.range : Range{}; };
     if (name == "length" || name == "distance") {
-        v.type = glsl::make_type(Base::real);
         v.range = {0, infinity, false, false};
     } else if (name == "abs") {
         v.range = {0, std::max(std::abs(x.lo), std::abs(x.hi)), false, x.real_lo && x.real_hi};
@@ -234,8 +192,6 @@ std::optional<Value> Walker::call_number(std::string_view name, const std::vecto
     if (name == "max" || name == "min" || name == "clamp") {
         v.cosine = given[0].v.cosine;  // of the same sign, as far as it goes
         v.one_plus = given[0].v.one_plus;
-        for (const Expr& a : given)
-            if (a.v.type.rows > v.type.rows) v.type = a.v.type;
     }
     return v;
 }

@@ -4,25 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
-#include "parser/text/number.h"
 #include "parser/text/ranges.h"
-#include "src/glsl/read/words.h"
 #include "src/lint/walker.h"
 
 namespace snell::lint {
 
 namespace {
 
-using glsl::Kind;
+using glsl::Form;
+using glsl::Node;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 // llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left.
 constexpr double most_rounds = 65535;
-
-bool is_step(std::string_view t) { return t == "++" || t == "--"; }
 
 constexpr std::string_view go_round_text = "the loops of this shader go round ";
 
@@ -33,87 +29,73 @@ std::string rounds_text(double rounds) {
 }  // namespace
 
 // break, return and discard, but for a break that leaves another loop or a switch within.
-bool Walker::leaves(int first, int last) const {
-    int within = first - 1;  // the last token of such a one
-    for (int k = first; k <= last; ++k) {
-        const std::string_view t = u_.at(k).text;
-        if (t == "return" || t == "discard" || (t == "break" && k > within)) return true;
-        if (t == "for" || t == "while" || t == "switch") within = std::max(within, statement_end(matching(k + 1) + 1));
-        if (t == "do") within = std::max(within, statement_end(k + 1));
-    }
-    return false;
+bool Walker::leaves(int node, bool breaks) const {
+    const Node& n = at(node);
+    if (n.form == Form::jump) return n.text == "discard" || (n.text == "break" && breaks);
+    if (n.form < Form::declarator || n.form == Form::returned) return n.form == Form::returned;
+    const bool within = n.form == Form::loop || n.form == Form::choice;
+    return ranges::any_of(parts(node), [&](int part) { return leaves(part, breaks && !within); });
 }
 
-bool Walker::assigned(std::string_view name, int first, int last) const {
-    for (int k = first; k <= last; ++k) {
-        if (u_.at(k).text != name) continue;
-        const std::string_view before = u_.at(k - 1).text, after = u_.at(k + 1).text;
-        // A function may change what it is given; float(i) doesn't.
-        const bool converted = before == "(" && glsl::builtin_type(u_.at(k - 2).text);
-        const bool handed = !converted && (before == "(" || before == ",") && (after == ")" || after == ",");
-        if (is_step(before) || is_step(after) || glsl::assigns(after) || handed) return true;
-    }
-    return false;
+bool Walker::stored(int variable, int node) const {
+    bool found = false;
+    each_stored(at(node).begin, node, [&](int other) { found = found || other == variable; });
+    return found;
 }
 
-// What i++, ++i, i -= 2 and their like add to `name`; 0: another thing.
-double Walker::step_of(std::string_view name, int first, int last) const {
-    const auto word = [&](int k) { return u_.at(k).text; };
-    const auto sign = [](std::string_view t) { return t.starts_with('-') ? -1.0 : 1.0; };
-    if (last - first == 1 && word(first) == name && is_step(word(last))) return sign(word(last));
-    if (last - first == 1 && word(last) == name && is_step(word(first))) return sign(word(first));
-    if (last - first != 2 || word(first) != name || (word(first + 1) != "+=" && word(first + 1) != "-=")) return 0;
-    const glsl::Token& by = u_.at(last);
-    if (by.kind != Kind::integer && by.kind != Kind::real) return 0;
-    double step = 0;
-    read_real(by.text.data(), by.text.data() + by.text.size(), step);
-    return sign(word(first + 1)) * step;
+// What i++, ++i, i -= 2 and their like add to the variable; 0: another thing.
+double Walker::step_of(int variable, int node) const {
+    const Node& n = at(node);
+    const std::vector<int> inside = parts(node);
+    if (inside.empty() || at(inside[0]).form != Form::name || at(inside[0]).variable != variable) return 0;
+    const double sign = n.text.starts_with('-') ? -1 : 1;
+    if (n.form == Form::step) return sign;
+    if (n.form != Form::assign || (n.text != "+=" && n.text != "-=") || at(inside[1]).value.size() != 1) return 0;
+    return sign * at(inside[1]).value.front();
 }
 
 // The same of a loop's body, as far as it is done in every round.
-double Walker::body_step(std::string_view name, int first, int last) const {
+double Walker::body_step(int variable, int body) const {
     double step = 0;
-    const bool braces = u_.at(first).text == "{";
-    for (int k = first + (braces ? 1 : 0), end = 0; k <= last - (braces ? 1 : 0); k = end + 1) {
-        end = statement_end(k);
-        const double here = step_of(name, k, end - 1);
-        if (here == 0 && assigned(name, k, end)) return 0;
+    const std::vector<int> all = at(body).form == Form::block ? parts(body) : std::vector<int>{body};
+    for (const int node : all) {
+        const std::vector<int> inside = parts(node);
+        const double here = at(node).form == Form::evaluated && !inside.empty() ? step_of(variable, inside[0]) : 0;
+        if (here == 0 && stored(variable, node)) return 0;
         step += here;
     }
-    for (int k = first; k <= last; ++k)
-        if (u_.at(k).text == "continue") return 0;
+    for (int k = at(body).begin; k < body; ++k)
+        if (at(k).form == Form::jump && at(k).text == "continue") return 0;
     return step;
 }
 
 // Whether the variable has the same value in every round. A function might change a global one.
-bool Walker::stays(std::string_view name, const Loop& loop) const {
-    for (int k = loop.body; k <= loop.body_end; ++k)
-        if (u_.function_names.contains(u_.at(k).text)) return false;
-    return !assigned(name, loop.step, loop.step_end - 1) && !assigned(name, loop.body, loop.body_end);
+bool Walker::stays(int variable, const Loop& loop) const {
+    for (int k = at(loop.body).begin; k < loop.body; ++k)
+        if (at(k).form == Form::call) return false;
+    return (loop.step < 0 || !stored(variable, loop.step)) && !stored(variable, loop.body);
 }
 
 // 0: it is not known. A slider counts as far as it goes.
 double Walker::rounds_of(const Loop& loop) {
-    const int begin = loop.condition, end = loop.condition_end;
-    const bool always = end == begin || (end == begin + 1 && u_.at(begin).text == "true");
-    if (leaves(loop.body, loop.body_end)) return 0;
-    if (always) return endless;
-    const std::string_view name = u_.at(begin).text, op = u_.at(begin + 1).text;
-    const int slot = find(name);
-    const bool stepped = loop.step < loop.step_end;  // by its header
-    const double step =
-        stepped ? step_of(name, loop.step, loop.step_end - 1) : body_step(name, loop.body, loop.body_end);
-    const bool left_alone = step == 0 && stays(name, loop);
-    if (slot < 0 || (step == 0 && !left_alone) || (stepped && assigned(name, loop.body, loop.body_end))) return 0;
-    const int here = std::exchange(p_, begin + 2);
-    Value bound = expression().v;
-    const bool whole = std::exchange(p_, here) == end;
-    if (!whole) return 0;
+    const Node& test = at(loop.condition);
+    const bool yes = test.form == Form::number && test.type.base == glsl::Base::boolean && test.value.front() != 0;
+    if (leaves(loop.body, true)) return 0;
+    if (test.form == Form::empty || yes) return endless;
+    const std::vector<int> sides = parts(loop.condition);
+    if (test.form != Form::infix || at(sides[0]).form != Form::name || at(sides[0]).variable < 0) return 0;
+    const int variable = at(sides[0]).variable;
+    const std::string_view op = test.text;
+    const bool stepped = loop.step >= 0 && at(loop.step).form != Form::empty;  // by its header
+    const double step = stepped ? step_of(variable, loop.step) : body_step(variable, loop.body);
+    const bool left_alone = step == 0 && stays(variable, loop);
+    if ((step == 0 && !left_alone) || (stepped && stored(variable, loop.body))) return 0;
+    Value bound = evaluate(sides[1]).v;
     if (bound.uniform >= 0)
         if (const auto set = around_.uniforms.find(u_.globals[static_cast<std::size_t>(bound.uniform)].name);
             set != around_.uniforms.end())
             bound.range = set->second.range;
-    const Range& from = state_.slots[static_cast<std::size_t>(slot)].value.range;
+    const Range& from = slot(variable).value.range;
     const bool less = op == "<" || op == "<=", more = op == ">" || op == ">=";
     if (left_alone || (less && step < 0) || (more && step > 0)) {
         const bool begins = less ? from.real_hi && bound.range.real_lo && from.hi < bound.range.lo

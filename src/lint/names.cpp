@@ -143,16 +143,4 @@ Value Walker::built_in(std::string_view name) const {
     return v;
 }
 
-int Walker::find(std::string_view name) const {
-    for (std::size_t n = scopes_.size(); n-- > frame_;)
-        if (const auto found = scopes_[n].find(name); found != scopes_[n].end()) return found->second;
-    const auto found = scopes_.front().find(name);
-    return found == scopes_.front().end() ? -1 : found->second;
-}
-
-void Walker::declare(std::string_view name, Value value) {
-    scopes_.back().insert_or_assign(name, static_cast<int>(state_.slots.size()));
-    state_.slots.push_back({std::move(value), false});
-}
-
 }  // namespace snell::lint

@@ -10,7 +10,6 @@
 
 namespace snell::lint {
 
-using glsl::Base;
 using glsl::Kind;
 
 namespace {
@@ -80,7 +79,6 @@ Value Walker::call_reflect(const std::vector<Expr>& given) {
     want_unit(given[1], "reflect", "normal");
     const Value &i = given[0].v, &n = given[1].v;
     Value v;
-    v.type = i.type;
     v.space = i.space == n.space || n.space == Space::any ? i.space : Space::unknown;
     if (i.length == Length::unit && n.length == Length::unit) v.length = Length::unit;
     v.mirrored = i.id;
@@ -96,7 +94,6 @@ Value Walker::call_refract(const std::vector<Expr>& given) {
     want_ratio(given);
     const Value &i = given[0].v, &n = given[1].v, &eta = given[2].v;
     Value v;
-    v.type = i.type;
     v.space = i.space == n.space || n.space == Space::any ? i.space : Space::unknown;
     v.refracted = true;
     v.from_eye = i.space == Space::eye && i.point;
@@ -144,7 +141,6 @@ void Walker::want_ratio(const std::vector<Expr>& given) {
 Value Walker::call_dot(const std::vector<Expr>& given) {
     const Value &a = given[0].v, &b = given[1].v;
     Value v;
-    v.type = glsl::make_type(Base::real);
     if (a.id && a.id == b.id) {
         v.range.lo = 0;
     } else if ((turns(a) && fixed_axis(b)) || (turns(b) && fixed_axis(a))) {
@@ -216,7 +212,6 @@ void Walker::want_near(const Expr& left, const Expr& right) {
 
 Value Walker::call_texture(std::string_view name, const std::vector<Expr>& given, int first, int last) {
     Value v;
-    v.type = glsl::make_type(Base::real, 4);
     if (given.size() < 2) return v;
     const Value &sampler = given[0].v, &at = given[1].v;
     const std::string_view kind = sampler.type.name;

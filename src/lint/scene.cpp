@@ -152,8 +152,8 @@ private:
             units[i].stage = planned.stages[i].stage;
             units[i].reference = planned.stages[i].reference;
             Diagnostics unheard;  // compiling says it
-            units[i].tree = &trees[i];
             glsl::preprocess(units[i], planned.stages[i].file, sources_, options_, unheard);
+            units[i].tree = &trees[i];
             glsl::Parser(units[i], options_.target, unheard).run();
         }
         std::stable_sort(units.begin(), units.end(), [](const Unit& a, const Unit& b) { return a.stage < b.stage; });

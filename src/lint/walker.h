@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/glsl/read/token.h"
+#include "src/glsl/read/tree.h"
 #include "src/lint/lint.h"
 #include "src/lint/value.h"
 
@@ -38,6 +38,7 @@ public:
     using Report = std::function<void(Rule rule, int first, int last, std::string message, std::vector<Note> notes)>;
 
     // `given`: outputs of the vertex stage, for the fragment stage; nothing where other stages are between.
+    // The unit has its tree.
     Walker(const glsl::Unit& unit, const Surroundings& around, const Varyings* given, Report report);
     // Outputs, as main leaves them.
     Varyings run();
@@ -49,7 +50,7 @@ private:
     };
     struct Expr {
         Value v;
-        int slot = -1;  // the variable it is, or is a part of
+        int slot = -1;  // Code::variables: the one it is, or is a part of
         bool whole = true;
         int first = -1, last = -1;  // tokens
         Cosine factor = {};         // its last factor is 1 plus such a cosine,
@@ -57,57 +58,52 @@ private:
     };
     // What the branches of the program so far have left.
     struct State {
-        std::vector<Slot> slots;
-        bool dead = false;      // behind return, discard, break, continue
-        bool returned = false;  // behind return
+        std::vector<Slot> slots;  // by Code::variables
+        bool dead = false;        // behind return, discard, break, continue
+        bool returned = false;    // behind return
     };
+
+    // Parameters named `node` are indices into the unit's tree.
 
     // statements (walker.cpp)
-    void statement();
-    void block();
-    void branch();
-    void loop();
-    void do_loop();
-    void returns();
-    void local_declaration();
-    bool starts_declaration() const;
-    void forget_assigned(int first, int last);
+    void statement(int node);
+    void branch(int node);
+    void loop(int node);
+    void do_loop(int node);
+    void returns(int node);
+    void local(int node);
+    void forget_stored(int first, int last);
     void forget(int slot);
+    bool of_interest(int first, int last) const;
     State merge(State a, const State& b) const;
     void condition_on(int first, int last);
-    int statement_end(int from) const;
-    int body_end(int from) const;
-    bool of_interest(int first, int last) const;
+    void conditions_end(int node);
+    // Calls `each` for every variable that the nodes may store something in.
+    void each_stored(int first, int last, const std::function<void(int variable)>& each) const;
 
     // how often loops go round (loops.cpp)
-    bool leaves(int first, int last) const;
-    bool assigned(std::string_view name, int first, int last) const;
-    double step_of(std::string_view name, int first, int last) const;
-    double body_step(std::string_view name, int first, int last) const;
+    bool leaves(int node, bool breaks) const;
+    bool stored(int variable, int node) const;
+    double step_of(int variable, int node) const;
+    double body_step(int variable, int body) const;
     struct Loop {
-        int condition, condition_end;  // first token, and one behind the last
-        int step = 0, step_end = 0;    // of `for`; none: the body steps
-        int body, body_end;            // first and last token
-        bool at_least_once = false;
+        int condition, step, body;  // nodes; step: of `for`; -1: the body steps
     };
-    bool stays(std::string_view name, const Loop& loop) const;
+    bool stays(int variable, const Loop& loop) const;
     double rounds_of(const Loop& loop);
     void go_round(double rounds, int first, int last);
 
     // expressions (expressions.cpp)
-    Expr expression();
-    Expr assignment();
-    Expr ternary();
-    Expr binary(int least);
-    Expr unary();
-    Expr postfix();
-    Expr primary();
-    Expr name();
-    Expr number();
+    Expr evaluate(int node);
+    Expr result(int node);
+    Expr choose(const std::vector<int>& parts);
+    Expr index(const std::vector<int>& parts);
+    Expr number(const glsl::Node& node);
+    Expr name(const glsl::Node& node);
     void assign(Expr& target, const Expr& value, std::string_view op);
-    void select(Expr& e, std::string_view member);
-    Value combine(const Value& a, const Value& b, std::string_view op);
-    Value add(const Value& a, const Value& b, bool minus);
+    void select(Expr& e, const glsl::Node& node);
+    Value combine(const glsl::Type& type, const Value& a, const Value& b, std::string_view op);
+    Value add(const glsl::Type& type, const Value& a, const Value& b, bool minus);
     Value multiply(const Value& a, const Value& b);
     Value negate(const Value& v);
     static void note_difference(Value& v, const Expr& a, const Expr& b);
@@ -115,10 +111,9 @@ private:
     Value constructed(const glsl::Type& type, const std::vector<Expr>& given);
 
     // calls (calls.cpp, optics.cpp)
-    Expr call();
-    std::vector<Expr> arguments();
+    Expr call(int node);
     Value call_user(const glsl::Function& f, const std::vector<Expr>& given);
-    const glsl::Function* find_function(int name, std::size_t arguments) const;
+    const glsl::Function* find_function(const glsl::Node& call, std::size_t arguments) const;
     Value call_builtin(std::string_view name, const std::vector<Expr>& given, int first, int last);
     std::optional<Value> call_number(std::string_view name, const std::vector<Expr>& given);
     Value call_dot(const std::vector<Expr>& given);
@@ -136,38 +131,25 @@ private:
     void finish();
 
     // names
-    int find(std::string_view name) const;
-    void declare(std::string_view name, Value value);
     Value seed(const glsl::Global& global) const;
     int fresh() { return ++ids_; }
     std::string words(int first, int last) const;  // the text of tokens, for messages
     Span span(int first, int last) const;          // of their text
     void report(Rule rule, int first, int last, std::string message, std::vector<Note> notes = {});
 
-    std::string_view text(int ahead = 0) const { return token(ahead).text; }
-    const glsl::Token& token(int ahead = 0) const;
-    bool is(std::string_view t, int ahead = 0) const { return text(ahead) == t; }
-    bool accept(std::string_view t) {
-        if (!is(t)) return false;
-        ++p_;
-        return true;
-    }
-    bool at_end() const { return token().kind == glsl::Kind::end; }
-    int matching(int open) const;  // the closing bracket's token
+    const glsl::Node& at(int node) const { return (*u_.tree)[static_cast<std::size_t>(node)]; }
+    std::vector<int> parts(int node) const { return glsl::parts(*u_.tree, node); }
+    Slot& slot(int variable) { return state_.slots[static_cast<std::size_t>(variable)]; }
 
     const glsl::Unit& u_;
     const Surroundings& around_;
     const Varyings* given_;
     Report report_;
-    int p_ = 0;
     int depth_ = 0;
-    int budget_ = 300'000;  // tokens looked at: calls are walked anew each time
+    int budget_ = 500'000;  // nodes looked at: calls are walked anew each time
     int ids_ = 0;
     State state_;
-    std::vector<std::map<std::string_view, int>> scopes_;
-    std::size_t frame_ = 1;                       // the first scope of the function being walked
     std::vector<const glsl::Function*> calling_;  // from main on
-    std::map<int, int> overloads_;                // Unit::functions that calls mean, by their name's token
     std::optional<Value> result_;                 // of the function being walked, so far
     std::optional<State> ended_;                  // what main left where it returned early
     std::set<int> unstable_;                      // global variables that functions assign

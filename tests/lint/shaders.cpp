@@ -51,6 +51,15 @@ TEST(LintUnit, TheOverloadThatACallMeans) {
     EXPECT_EQ(shader("vec3(uEta)").at("unnormalised-direction"), Places{"turned(vN, vec3(uEta))"});
 }
 
+// A text with conditionals is read a second time.
+TEST(LintUnit, TheOverloadInATextWithConditionals) {
+    const Linted bad = lint_fragment(
+        "#ifdef NOWHERE\n#endif\nin vec3 vN, vE;\nvec3 turned(vec3 v) { return reflect(v, vN); }\nvec2 turned(vec2 v) "
+        "{ return v; }\n"
+        "void main() { gl_FragColor = vec4(turned(vE), 1.); }\n");
+    EXPECT_EQ(bad.at("unnormalised-direction"), Places{"vN"}) << bad.text();
+}
+
 TEST(LintUnit, SumsOfVectors) {
     EXPECT_EQ(body("vec3 n = normalize(vN) + vec3(.1, 0., 0.);\ngl_FragColor = texture(uSky, reflect(vE, n));")
                   .at("unnormalised-direction"),

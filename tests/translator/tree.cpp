@@ -72,10 +72,27 @@ TEST(GlslTree, ExpressionsAreMadeOfTheirParts) {
 TEST(GlslTree, LoopsHoldTheirHeaders) {
     const Grown p(
         "void main() { float x; for (int i = 0; i < 9; ++i) x += 1.; while (x > 2.) x -= 1.; do x++; while (x < 9.); "
-        "}\n");
-    EXPECT_EQ(p.parts_of("for(inti=0;i<9;++i)x+=1.;"), (Pieces{"i=0", "i<9", "++i", "x+=1.;"}));
+        "for (;;) {} }\n");
+    EXPECT_EQ(p.parts_of("for(inti=0;i<9;++i)x+=1.;"), (Pieces{"inti=0;", "i<9", "++i", "x+=1.;"}));
     EXPECT_EQ(p.parts_of("while(x>2.)x-=1.;"), (Pieces{"x>2.", "x-=1.;"}));
     EXPECT_EQ(p.parts_of("dox++;while(x<9.);"), (Pieces{"x++;", "x<9."}));
+    EXPECT_EQ(p.parts_of("for(;;){}"), (Pieces{"", "", "", "{}"}));
+}
+
+TEST(GlslTree, StatementsHoldStatements) {
+    const Grown p(
+        "void main() { float x, y = 1.; if (x > 1.) x = 2.; else { x = 3.; y = x; } if (x > 2.) ; "
+        "switch (int(x)) { case 1: x = 4.; break; default: discard; } }\n");
+    EXPECT_EQ(p.parts_of("floatx,y=1.;"), (Pieces{"x", "y=1."}));
+    EXPECT_EQ(p.parts_of("if(x>1.)x=2.;else{x=3.;y=x;}"), (Pieces{"x>1.", "x=2.;", "{x=3.;y=x;}"}));
+    EXPECT_EQ(p.parts_of("{x=3.;y=x;}"), (Pieces{"x=3.;", "y=x;"}));
+    EXPECT_EQ(p.parts_of("if(x>2.);"), (Pieces{"x>2.", ";"})) << "no statement is a block";
+    EXPECT_EQ(p.parts_of("{case1:x=4.;break;default:discard;}"),
+              (Pieces{"case1:", "x=4.;", "break;", "default:", "discard;"}));
+    EXPECT_EQ(p.node("if(x>2.);").form, Form::branch);
+    EXPECT_EQ(p.node("break;").text, "break");
+    EXPECT_EQ(p.node("discard;").form, Form::jump);
+    EXPECT_EQ(p.tree[static_cast<std::size_t>(p.unit.functions[0].block)].form, Form::block);
 }
 
 // Parts follow one another within the whole, and asking changes nothing else.

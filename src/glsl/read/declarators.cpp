@@ -228,6 +228,7 @@ void Parser::function(const Type& result, int first, int name) {
         const int around = emit(Op::jump);
         u_.functions[index].code = here();
         compound();
+        u_.functions[index].block = grown() - 1;
         u_.functions[index].code_end = emit(Op::back);
         land(around);
         u_.functions[index].close = p_ - 1;

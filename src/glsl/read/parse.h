@@ -139,6 +139,10 @@ private:
     void grow_statement(Form form, int begin, int first, std::string_view text = {}) {
         if (u_.tree) u_.tree->push_back({form, first, p_ - 1, begin, {}, text});
     }
+    void grow_empty() {
+        if (u_.tree) u_.tree->push_back({Form::empty, p_, p_ - 1, grown()});
+    }
+    void inner_statement();
     void give_up() { u_.code.whole = false; }  // the code is not that of the text
     // Statements that break and continue leave or repeat.
     struct Leaving {

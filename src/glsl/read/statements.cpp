@@ -7,6 +7,7 @@
 namespace snell::glsl {
 
 void Parser::compound() {
+    const int first = p_, begin = grown();
     ++p_;
     open_scope();
     while (!at_end() && !is("}")) {
@@ -16,6 +17,14 @@ void Parser::compound() {
     }
     close_scope();
     accept("}");
+    grow_statement(Form::block, begin, first);
+}
+
+// The statement that another one holds: one node of the tree.
+void Parser::inner_statement() {
+    const int first = p_, begin = grown();
+    statement();
+    if (u_.tree && (grown() == begin || u_.tree->back().begin != begin)) grow_statement(Form::block, begin, first);
 }
 
 bool Parser::starts_declaration() const {
@@ -37,7 +46,7 @@ bool Parser::starts_declaration() const {
 }
 
 void Parser::local_declaration() {
-    const int first = p_;
+    const int first = p_, begin = grown();
     const Qualifiers q = qualifiers();
     const std::optional<Type> type = type_specifier();
     if (!type) {
@@ -48,6 +57,7 @@ void Parser::local_declaration() {
     dimensions(base, nullptr);
     if (is("(", 1)) return local_prototype(base, first);
     declarators(q, base, {}, false);
+    grow_statement(Form::declaration, begin, first);
 }
 
 // GLSL 1.10 allows prototypes within functions; they are moved ahead of the function.
@@ -80,13 +90,18 @@ void Parser::close_loop(int again, int out) {
 }
 
 void Parser::condition() {
-    if (!accept("(")) return give_up();
+    const int begin = grown();
+    if (!accept("(")) {
+        grow_empty();
+        return give_up();
+    }
     if (starts_declaration()) {
         local_declaration();
         give_up();
     } else {
         convert(expression(), make_type(Base::boolean), Due::condition);
     }
+    if (grown() == begin) grow_empty();
     accept(")");
 }
 
@@ -100,20 +115,26 @@ void Parser::for_statement() {
         if (!is(";")) expression(), emit(Op::drop);
         accept(";");
     }
+    if (grown() == begin) grow_empty();
     const int test = here();
     int out = -1;
-    if (!is(";")) {
+    if (is(";")) {
+        grow_empty();
+    } else {
         convert(expression(), make_type(Base::boolean), Due::condition);
         out = emit(Op::unless);
     }
     accept(";");
     const int in = emit(Op::jump), again = here();
-    if (!is(")")) expression(), emit(Op::drop);
+    if (is(")"))
+        grow_empty();
+    else
+        expression(), emit(Op::drop);
     emit(Op::jump, test);
     accept(")");
     land(in);
     leaving_.emplace_back();
-    statement();
+    inner_statement();
     emit(Op::jump, again);
     close_loop(again, out);
     close_scope();
@@ -121,17 +142,22 @@ void Parser::for_statement() {
 }
 
 void Parser::if_statement() {
+    const int first = p_, begin = grown();
     ++p_;
     open_scope();
     condition();
     const int otherwise = emit(Op::unless);
-    statement();
+    inner_statement();
     close_scope();
-    if (!accept("else")) return land(otherwise);
-    const int end = emit(Op::jump);
-    land(otherwise);
-    statement();
-    land(end);
+    if (accept("else")) {
+        const int end = emit(Op::jump);
+        land(otherwise);
+        inner_statement();
+        land(end);
+    } else {
+        land(otherwise);
+    }
+    grow_statement(Form::branch, begin, first);
 }
 
 void Parser::while_statement() {
@@ -142,7 +168,7 @@ void Parser::while_statement() {
     condition();
     const int out = emit(Op::unless);
     leaving_.emplace_back();
-    statement();
+    inner_statement();
     emit(Op::jump, again);
     close_loop(again, out);
     close_scope();
@@ -153,12 +179,14 @@ void Parser::do_statement() {
     const int first = p_ - 1, begin = grown();
     const int start = here();
     leaving_.emplace_back();
-    statement();
+    inner_statement();
     const int again = here();
-    if (accept("while"))
+    if (accept("while")) {
         condition();
-    else
+    } else {
+        grow_empty();
         give_up();
+    }
     const int out = emit(Op::unless);
     emit(Op::jump, start);
     close_loop(again, out);
@@ -167,9 +195,11 @@ void Parser::do_statement() {
 }
 
 void Parser::switch_statement() {
+    const int first = p_, begin = grown();
     ++p_;
     open_scope();
     Leaving cases;
+    if (!is("(")) grow_empty();
     if (accept("(")) {
         const Expression e = expression();
         cases.value = variable(e.type);
@@ -179,11 +209,12 @@ void Parser::switch_statement() {
     }
     cases.test = emit(Op::jump);
     leaving_.push_back(std::move(cases));
-    statement();
+    inner_statement();
     const int last = leaving_.back().test;
     if (last >= 0) land(last);
     close_loop(0, -1);
     close_scope();
+    grow_statement(Form::choice, begin, first);
 }
 
 // A label: what comes from above passes the test, which leads to the next label.
@@ -221,13 +252,16 @@ void Parser::simple_statement() {
         grow_statement(Form::returned, begin, first);
     } else if (is("case") || is("default")) {
         case_label(is("default"));
+        grow_statement(Form::label, begin, first);
     } else if (is("break") || is("continue") || is("discard")) {
-        if (is("discard"))
+        const std::string_view word = text();
+        if (word == "discard")
             emit(Op::discard);
         else
-            jump_out(is("continue"));
+            jump_out(word == "continue");
         ++p_;
         if (!accept(";")) accept(":");
+        grow_statement(Form::jump, begin, first, word);
     } else if (starts_declaration()) {
         local_declaration();
     } else {

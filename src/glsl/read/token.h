@@ -214,6 +214,7 @@ struct Function {
     int open = -1, close = -1;     // tokens of the body's braces; -1: a prototype
     bool local = false;            // a prototype within a function
     int code = -1, code_end = -1;  // Code::steps: of the body
+    int block = -1;                // of Unit::tree: the body
 };
 
 // `layout(…) in;` and `layout(…) out;`

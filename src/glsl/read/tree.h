@@ -29,10 +29,19 @@ enum class Form : std::uint8_t {
     call,       // of a function of the text
     built_in,   // of a function of the language; text: its modern name
     // statements
-    declarator,  // a variable outside of a parameter list, with its initialiser; text: its name
-    returned,    // return …;
-    evaluated,   // an expression and its semicolon
-    loop,        // text: for, while or do
+    declarator,   // a variable outside of a parameter list, with its initialiser; text: its name
+    declaration,  // declarators, within functions
+    returned,     // return …;
+    evaluated,    // an expression and its semicolon
+    block,        // { … }; also what is no statement, or several, where one is due
+    branch,       // condition, statement, perhaps the other statement
+    choice,       // switch: value, statement
+    label,        // case or default: perhaps its value
+    jump,         // text: break, continue or discard
+    empty,        // nothing, where something might be
+    // text: for, while or do. Parts of `for`: what it begins with, condition, step, statement. Of `while`: condition,
+    // statement. Of `do`: statement, condition.
+    loop,
 };
 
 // Nodes come behind their parts: those of node n are the nodes from `begin` to before n.

@@ -68,17 +68,17 @@ private:
         if (function(within).open > function(main_).open) return false;
         if (within != main_ && !called_.contains(function(within).name)) return false;
         const Node& outer = s_.at(around);
-        const bool initial = outer.form == Form::declarator && outer.type.same(node.type) && !in_header(around);
+        const bool initial = outer.form == Form::declarator && outer.type.same(node.type) && !in_loop(around);
         const bool blended = outer.form == Form::built_in && outer.text == "mix";
         const bool factor = outer.form == Form::infix && outer.text == "*" && real_vector(outer.type);
         const bool plain = node.form != Form::name && node.form != Form::choose && node.form != Form::assign;
         return (initial || blended || factor) && plain && !has_mean(n);
     }
 
-    // What a loop begins with decides on how often it goes round.
-    bool in_header(int declarator) const {
-        const int around = s_.parent(declarator);
-        return around >= 0 && s_.at(around).form == Form::loop;
+    // What a loop declares has another value in each round, or decides on their number.
+    bool in_loop(int node) const {
+        while (node >= 0 && s_.at(node).form != Form::loop) node = s_.parent(node);
+        return node >= 0;
     }
 
     // A texture's mean is known without drawing.

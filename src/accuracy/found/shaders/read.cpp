@@ -152,33 +152,16 @@ std::optional<Span> Shader::ahead_of(int function) const {
 
 namespace {
 
+// Of a loop `for`; nodes, each -1 where there is none.
 struct LoopHeader {
-    int init = -1, condition = -1, step = -1;  // nodes
+    int begin = -1, condition = -1, step = -1;
 };
 
 LoopHeader header_of(const Shader& s, int loop) {
-    LoopHeader header;
-    const Node& node = s.at(loop);
-    int part = 0, depth = 0, end = node.first + 1;
-    std::array<int, 3> ends{-1, -1, -1};  // the tokens that end init, condition and step
-    for (; end <= node.last && part < 3; ++end) {
-        const std::string_view t = s.token(end).text;
-        if (t == "(" || t == "[" || t == "{") ++depth;
-        if (t == ")" || t == "]" || t == "}") --depth;
-        if ((t == ";" && depth == 1) || depth == 0) ends[static_cast<std::size_t>(part++)] = end;
-        if (depth == 0) break;
-    }
-    if (part != 3) return header;
-    for (const int child : s.parts(loop)) {
-        const Node& n = s.at(child);
-        if (n.last < ends[0])
-            header.init = child;
-        else if (n.first > ends[0] && n.last < ends[1])
-            header.condition = child;
-        else if (n.first > ends[1] && n.last < ends[2])
-            header.step = child;
-    }
-    return header;
+    const std::vector<int> all = s.parts(loop);
+    if (s.at(loop).text != "for" || all.size() != 4) return {};
+    const auto there = [&](int node) { return s.at(node).form == Form::empty ? -1 : node; };
+    return {there(all[0]), there(all[1]), there(all[2])};
 }
 
 // The variable that an operand is, perhaps as float(i); -1: none.
@@ -201,9 +184,10 @@ double step_of(const Shader& s, int node, int variable) {
 }
 
 // The value that the loop's variable begins with.
-int first_value(const Shader& s, const LoopHeader& header, int loop, int variable) {
-    for (const int child : s.parts(loop)) {
-        if (header.init < 0 || child > header.init) break;
+int first_value(const Shader& s, const LoopHeader& header, int variable) {
+    if (header.begin < 0) return -1;
+    const bool declares = s.at(header.begin).form == Form::declaration;
+    for (const int child : declares ? s.parts(header.begin) : std::vector<int>{header.begin}) {
         const Node& n = s.at(child);
         const std::vector<int> inside = s.parts(child);
         if (n.form == Form::declarator && n.variable == variable && inside.size() == 1) return inside.front();
@@ -213,13 +197,13 @@ int first_value(const Shader& s, const LoopHeader& header, int loop, int variabl
     return -1;
 }
 
-void add_counter(const Shader& s, int loop, const LoopHeader& header, int node, std::vector<Counter>& found) {
+void add_counter(const Shader& s, const LoopHeader& header, int node, std::vector<Counter>& found) {
     node = s.bare(node);
     const Node& n = s.at(node);
     const std::vector<int> sides = s.parts(node);
     if (n.form != Form::infix || sides.size() != 2) return;
     if (n.text == "&&") {
-        for (const int side : sides) add_counter(s, loop, header, side, found);
+        for (const int side : sides) add_counter(s, header, side, found);
         return;
     }
     const bool less = n.text == "<" || n.text == "<=", more = n.text == ">" || n.text == ">=";
@@ -228,7 +212,7 @@ void add_counter(const Shader& s, int loop, const LoopHeader& header, int node, 
         const int variable = variable_of(s, sides[counting]);
         if (variable < 0) continue;
         const double step = step_of(s, header.step, variable);
-        const int from = first_value(s, header, loop, variable), bound = sides[1 - counting];
+        const int from = first_value(s, header, variable), bound = sides[1 - counting];
         const bool up = less == (counting == 0);
         if (step == 0 || (step > 0) != up) continue;
         found.push_back(
@@ -251,7 +235,7 @@ std::vector<Counter> counters(const Shader& shader, int loop) {
     std::vector<Counter> found;
     const LoopHeader header = header_of(shader, loop);
     if (header.condition < 0 || header.step < 0) return found;
-    add_counter(shader, loop, header, header.condition, found);
+    add_counter(shader, header, header.condition, found);
     if (found.empty()) return found;
     const Counter first = found.front();
     for (int n = header.step + 1; n < loop; ++n) {
@@ -340,122 +324,84 @@ void Offers::add(Change change) {
 
 namespace {
 
-// A function's tokens, read backwards and statement by statement.
-class Statements {
+// What the statements of a function write ahead of a token.
+class Written {
 public:
-    Statements(const glsl::Unit& unit, const glsl::Function& function) : u_(unit), f_(function) {}
+    Written(const glsl::Unit& unit, std::string_view name, int token) : u_(unit), name_(name), token_(token) {}
 
-    bool written(std::string_view name, int token) const {
-        bool other_case = false;  // of a switch
-        for (int k = token - 1; k > f_.open; --k) {
-            const std::string_view t = text(k);
-            if (t == "}" || t == ")" || t == "]") k = opening(k);
-            if (t == "{") other_case = false;
-            if (t == "case" || t == "default") other_case = true;
-            if (t != name) continue;
-            const int first = start(k);
-            const bool declares = declared(k, first);
-            const bool writes = (declares || k == first || text(k - 1) == ",") && !conditional(first) && assigned(k);
-            if (declares) return writes && !other_case;
-            if (writes && !other_case) return true;
+    bool surely(const glsl::Function& f) const {
+        if (f.block < 0) return false;
+        if (const auto known = before(f.block)) return *known;
+        for (int k = f.open - 1; k > f.name_token; --k) {
+            if (u_.at(k).text != name_) continue;
+            while (k > f.name_token && u_.at(k).text != "," && u_.at(k).text != "out") --k;
+            return u_.at(k).text != "out";
         }
-        if (const int k = parameter(name); k >= 0) return !only_out(k);
-        return ranges::any_of(u_.globals, [&](const glsl::Global& g) { return g.name == name && g.init_first >= 0; });
+        return ranges::any_of(u_.globals, [&](const glsl::Global& g) { return g.name == name_ && g.init_first >= 0; });
     }
 
-    // Whether a statement before the token writes all of the variable, on some path.
-    bool perhaps_written(std::string_view name, int token) const {
-        for (int k = f_.open + 1; k < token; ++k)
-            if (text(k) == name && text(k + 1) == "=" && text(k - 1) != ".") return true;
+    // Whether a statement writes all of the variable, on some path.
+    bool perhaps(const glsl::Function& f) const {
+        for (int k = f.open + 1; k < token_; ++k)
+            if (u_.at(k).text == name_ && u_.at(k + 1).text == "=" && u_.at(k - 1).text != ".") return true;
         return false;
     }
 
 private:
-    std::string_view text(int k) const { return u_.at(k).text; }
+    const Node& at(int node) const { return (*u_.tree)[static_cast<std::size_t>(node)]; }
+    std::vector<int> parts(int node) const { return glsl::parts(*u_.tree, node); }
 
-    int opening(int close) const {
-        int depth = 0;
-        for (int k = close; k > f_.open; --k) {
-            const std::string_view t = text(k);
-            if (t == "}" || t == ")" || t == "]") ++depth;
-            if (t == "{" || t == "(" || t == "[") --depth;
-            if (depth == 0) return k;
+    // Nothing: the statements within the node say nothing of the variable.
+    std::optional<bool> before(int node) const {
+        if (at(node).form < Form::declarator) return std::nullopt;
+        const std::vector<int> inside = parts(node);
+        bool other_case = false;  // of a switch
+        for (auto part = inside.rbegin(); part != inside.rend(); ++part) {
+            const Node& n = at(*part);
+            if (n.first > token_) continue;
+            if (n.last >= token_) {
+                if (const auto known = before(*part)) return known;
+            } else if (n.form == Form::label) {
+                other_case = true;
+            } else if (at(node).form == Form::block) {
+                const auto known = writes(*part);
+                if (known && n.form == Form::declaration) return *known && !other_case;
+                if (known && !other_case) return known;
+            }
         }
-        return f_.open + 1;
+        return std::nullopt;
     }
-    int behind(int open) const {
-        int depth = 0;
-        for (int k = open; k < f_.close; ++k) {
-            const std::string_view t = text(k);
-            if (t == "{" || t == "(" || t == "[") ++depth;
-            if (t == "}" || t == ")" || t == "]") --depth;
-            if (depth == 0) return k + 1;
-        }
-        return f_.close;
-    }
-
-    // The first token of the statement that the token is in, behind labels.
-    int start(int token) const {
-        int first = token;
-        while (first - 1 > f_.open) {
-            const std::string_view t = text(first - 1);
-            if (t == ";" || t == "{" || t == "}") break;
-            first = t == ")" || t == "]" ? opening(first - 1) : first - 1;
-        }
-        while (first < token && (text(first) == "case" || text(first) == "default")) {
-            while (first < token && text(first) != ":") ++first;
-            if (first < token) ++first;
-        }
-        return first;
-    }
-
-    bool conditional(int first) const {
-        constexpr std::string_view words[] = {"if", "else", "for", "while", "do", "switch"};
-        return ranges::find(words, text(first)) != std::end(words);
-    }
-
-    bool declared(int name, int first) const {
-        while (first < name && glsl::is_qualifier(text(first))) ++first;
-        if (u_.at(first).kind != glsl::Kind::identifier || glsl::is_statement_word(text(first))) return false;
-        int next = first + 1;
-        while (next < f_.close && text(next) == "[") next = behind(next);
-        if (next >= f_.close || u_.at(next).kind != glsl::Kind::identifier || next > name) return false;
-        return name == next || text(name - 1) == ",";
-    }
-
     // Elements are not all of an array, but its initialiser is.
-    bool assigned(int name) const {
-        int next = name + 1;
-        if (declared(name, start(name)))
-            while (next < f_.close && text(next) == "[") next = behind(next);
-        return next < f_.close && text(next) == "=";
-    }
-
-    int parameter(std::string_view name) const {
-        for (int k = f_.open - 1; k > f_.name_token; --k)
-            if (text(k) == name) return k;
-        return -1;
-    }
-    bool only_out(int name) const {
-        for (int k = name; k > f_.name_token && text(k) != ","; --k)
-            if (text(k) == "out") return true;
-        return false;
+    std::optional<bool> writes(int node) const {
+        const Node& n = at(node);
+        const std::vector<int> inside = parts(node);
+        if (n.form == Form::declarator && n.text == name_) {
+            for (int k = n.first; k <= n.last; ++k)
+                if (u_.at(k).text == "=") return true;
+            return false;
+        }
+        if (n.form == Form::assign && n.text == "=" && at(inside[0]).form == Form::name && at(inside[0]).text == name_)
+            return true;
+        if (n.form == Form::evaluated || n.form == Form::comma || n.form == Form::declaration)
+            for (const int part : inside)
+                if (const auto known = writes(part)) return known;
+        return std::nullopt;
     }
 
     const glsl::Unit& u_;
-    const glsl::Function& f_;
+    std::string_view name_;
+    int token_;
 };
 
 }  // namespace
 
 bool surely_written(const glsl::Unit& unit, const glsl::Function& function, std::string_view name, int token) {
-    return Statements(unit, function).written(name, token);
+    return Written(unit, name, token).surely(function);
 }
 
 bool can_go(const glsl::Unit& unit, const glsl::Function& function, int first, bool updates) {
-    const Statements statements(unit, function);
-    const std::string_view name = unit.at(first).text;
-    return statements.written(name, first) || (updates && statements.perhaps_written(name, first));
+    const Written written(unit, unit.at(first).text, first);
+    return written.surely(function) || (updates && written.perhaps(function));
 }
 
 }  // namespace snell::accuracy

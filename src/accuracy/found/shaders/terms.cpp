@@ -57,14 +57,9 @@ private:
 
     // A part of the header of a loop, which must end.
     bool in_header(int node) const {
-        const int around = s_.parent(node);
-        if (around < 0 || s_.at(around).form != Form::loop) return false;
-        int depth = 0;
-        for (int k = s_.at(around).first + 1; k <= s_.at(around).last; ++k) {
-            depth += s_.token(k).text == "(" ? 1 : s_.token(k).text == ")" ? -1 : 0;
-            if (depth == 0) return s_.at(node).first < k;
-        }
-        return true;
+        if (s_.at(node).form == Form::declarator) node = s_.parent(node);
+        const int around = node < 0 ? -1 : s_.parent(node);
+        return around >= 0 && s_.at(around).form == Form::loop && s_.parts(around).back() != node;
     }
 
     // Whether a variable decides on how often a loop around goes round.

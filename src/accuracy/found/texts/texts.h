@@ -124,7 +124,6 @@ struct Piece {
 struct Loop {
     int word = -1;              // for, while, do
     int open = -1, close = -1;  // brackets of the head
-    int first = -1, last = -1;  // body
 };
 struct Body {
     const glsl::Function* function = nullptr;

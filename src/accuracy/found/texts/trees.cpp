@@ -15,7 +15,7 @@ using glsl::Unit;
 
 namespace {
 
-constexpr int deepest = 100;  // a tree, and statements within one another
+constexpr int deepest = 100;  // a tree
 
 Tree::Kind kind_of(const Unit& unit, const glsl::Node& node) {
     using glsl::Form;
@@ -47,25 +47,16 @@ Tree tree_of(const Unit& unit, int node, int depth = 0) {
     return tree;
 }
 
-// By token: the outermost expression that begins there; -1: there is none.
-std::vector<int> expressions(const Unit& unit) {
-    std::vector<int> at(unit.tokens.size(), -1);
-    for (std::size_t n = 0; n < unit.tree->size(); ++n) {
-        const glsl::Node& node = (*unit.tree)[n];
-        if (node.first >= 0 && node.form < glsl::Form::declarator && node.form != glsl::Form::comma)
-            at[static_cast<std::size_t>(node.first)] = static_cast<int>(n);
-    }
-    return at;
-}
-
-Tree expression(const Unit& unit, const std::vector<int>& all, int first) {
-    const int node = first >= 0 && first < static_cast<int>(all.size()) ? all[static_cast<std::size_t>(first)] : -1;
-    return node < 0 ? Tree{} : tree_of(unit, node);
-}
-
 }  // namespace
 
-Tree expression(const Unit& unit, int first) { return expression(unit, expressions(unit), first); }
+Tree expression(const Unit& unit, int first) {
+    for (auto n = static_cast<int>(unit.tree->size()) - 1; n >= 0; --n) {
+        const glsl::Node& node = (*unit.tree)[static_cast<std::size_t>(n)];
+        const bool found = node.first == first && node.form < glsl::Form::declarator;
+        if (found && node.form != glsl::Form::comma) return tree_of(unit, n);
+    }
+    return {};
+}
 
 const Tree& bare(const Tree& tree) {
     const Tree* inner = &tree;
@@ -101,25 +92,17 @@ bool same(const Unit& unit, const Tree& a, const Tree& b) {
 
 namespace {
 
-// Reads the pieces of one body, token by token; what it does not understand it leaves out.
+// The pieces of one body.
 class BodyReader {
 public:
-    // `expressions`: by token.
-    BodyReader(const Unit& unit, const std::vector<int>& expressions, const glsl::Function& function)
-        : u_(unit), expressions_(expressions), end_(function.close) {
+    BodyReader(const Unit& unit, const glsl::Function& function) : u_(unit) {
         body_.function = &function;
-        for (int k = function.open + 1; k < end_;) k = statement(k);
-        for (Piece& piece : body_.pieces)
-            for (std::size_t i = 0; i < body_.loops.size(); ++i)
-                if (piece.first >= body_.loops[i].first && piece.last <= body_.loops[i].last)
-                    piece.loops.push_back(static_cast<int>(i));
+        for (const int part : glsl::parts(*unit.tree, function.block)) statement(part);
         find_certain();
     }
     Body take() { return std::move(body_); }
 
 private:
-    std::string_view text(int k) const { return k < end_ ? u_.at(k).text : std::string_view(); }
-
     void find_certain() {
         std::set<std::string_view> assigned;
         for (const Piece& piece : body_.pieces)
@@ -137,127 +120,83 @@ private:
         }
     }
 
-    int matching(int open) const {
-        int depth = 0;
-        for (int k = open; k < end_; ++k) {
-            const std::string_view t = text(k);
-            if (t == "(" || t == "[" || t == "{") ++depth;
-            if (t == ")" || t == "]" || t == "}") --depth;
-            if (depth <= 0) return k;
-        }
-        return end_;
-    }
-    int semicolon(int from) const {
-        for (int k = from; k < end_; ++k) {
-            if (text(k) == "(" || text(k) == "[" || text(k) == "{") k = matching(k);
-            if (text(k) == ";") return k;
-            if (text(k) == "}") return k;
-        }
-        return end_;
-    }
-    // The last token of the statement, with every `else`.
-    int statement_end(int from) const {
-        int last = text(from) == "{" ? matching(from) : end_;
-        if (last == end_ &&
-            (text(from) == "for" || text(from) == "while" || text(from) == "if" || text(from) == "switch"))
-            last = from + 1 < end_ ? statement_end_of(matching(from + 1) + 1) : end_;
-        else if (last == end_)
-            last = semicolon(from);
-        while (text(last + 1) == "else" && last + 2 < end_) last = statement_end_of(last + 2);
-        return std::min(last, end_);
-    }
-    int statement_end_of(int from) const {
-        if (from >= end_ || nesting_ > deepest) return end_;
-        ++nesting_;
-        const int last = statement_end(from);
-        --nesting_;
-        return last;
-    }
-
-    int add(Piece::Kind kind, int first, int last, int value) {
+    void add(Piece::Kind kind, int first, int last, const std::vector<int>& value) {
         body_.pieces.push_back({.kind = kind,
                                 .first = first,
                                 .last = last,
-                                .value = expression(u_, expressions_, value),
-                                .depth = depth_});
-        return last + 1;
+                                .value = value.size() == 1 ? tree_of(u_, value.front()) : Tree{},
+                                .depth = depth_,
+                                .loops = around_});
     }
 
-    int statement(int k) {
-        const std::string_view t = text(k);
-        if (t == "{") return ++depth_, k + 1;
-        if (t == "}") return --depth_, k + 1;
-        if (t == ";" || t == "else" || t == "do") return k + 1;
-        if ((t == "if" || t == "switch") && text(k + 1) == "(") {
-            add(Piece::Kind::condition, k, matching(k + 1), k + 2);
-            return matching(k + 1) + 1;
-        }
-        if ((t == "for" || t == "while") && text(k + 1) == "(") return loop(k);
-        if (t == "case" || t == "default") {
-            while (k < end_ && text(k) != ":") ++k;
-            return k + 1;
-        }
-        const int last = semicolon(k);
-        if (t == "return") return add(Piece::Kind::result, k, last, k + 1);
-        if (t == "discard" || t == "break" || t == "continue") return last + 1;
-        if (declares(k)) return declaration(k, last);
-        add(Piece::Kind::expression, k, last, k);
-        if (body_.pieces.back().value.last != last - 1) body_.pieces.back().value = {};
-        return last + 1;
-    }
-
-    bool declares(int k) const {
-        if (glsl::is_qualifier(text(k)) || text(k) == "struct") return true;
-        if (u_.at(k).kind != glsl::Kind::identifier || k + 1 >= end_) return false;
-        int next = k + 1;
-        if (text(next) == "[") next = matching(next) + 1;
-        return next < end_ && u_.at(next).kind == glsl::Kind::identifier && !glsl::is_statement_word(text(k));
-    }
-
-    int declaration(int k, int last) {
-        const int first = k;
-        while (k < last && glsl::is_qualifier(text(k))) {
-            if (text(k) == "layout" && text(k + 1) == "(") k = matching(k + 1);
-            ++k;
-        }
-        const std::string_view type = text(k++);
-        if (type == "struct") return last + 1;
-        if (text(k) == "[") k = matching(k) + 1;
-        const std::size_t begin = body_.pieces.size();
-        while (k < last && u_.at(k).kind == glsl::Kind::identifier) {
-            Piece piece{Piece::Kind::declaration, first, last, type, text(k), k++};
-            piece.depth = depth_;
-            if (text(k) == "[") k = matching(k) + 1, piece.type = "";
-            if (text(k) == "=") {
-                piece.value = expression(u_, expressions_, k + 1);
-                while (k < last && text(k) != ",")
-                    k = text(k) == "(" || text(k) == "[" || text(k) == "{" ? matching(k) + 1 : k + 1;
+    void statement(int node) {
+        using glsl::Form;
+        const glsl::Node& n = (*u_.tree)[static_cast<std::size_t>(node)];
+        const std::vector<int> inside = glsl::parts(*u_.tree, node);
+        switch (n.form) {
+            case Form::block: {
+                const int deeper = n.last >= n.first && u_.at(n.first).text == "{" ? 1 : 0;
+                depth_ += deeper;
+                for (const int part : inside) statement(part);
+                depth_ -= deeper;
+                break;
             }
-            body_.pieces.push_back(std::move(piece));
-            if (text(k) != ",") break;
-            ++k;
+            case Form::branch:
+            case Form::choice:
+                add(Piece::Kind::condition, n.first, last_of(inside.front()) + 1, {inside.front()});
+                for (std::size_t i = 1; i < inside.size(); ++i) statement(inside[i]);
+                break;
+            case Form::loop:
+                loop(n, inside);
+                break;
+            case Form::returned:
+                add(Piece::Kind::result, n.first, n.last, inside);
+                break;
+            case Form::evaluated:
+                add(Piece::Kind::expression, n.first, n.last, inside);
+                break;
+            case Form::declaration:
+                declaration(n, inside);
+                break;
+            default:
+                break;
         }
-        if (body_.pieces.size() > begin + 1)
-            for (std::size_t i = begin; i < body_.pieces.size(); ++i) body_.pieces[i].whole = false;
-        return last + 1;
+    }
+    int last_of(int node) const { return (*u_.tree)[static_cast<std::size_t>(node)].last; }
+
+    void declaration(const glsl::Node& n, const std::vector<int>& declarators) {
+        int type = n.first;
+        for (; type < n.last && glsl::is_qualifier(u_.at(type).text); ++type)
+            if (u_.at(type).text == "layout")
+                while (type < n.last && u_.at(type).text != ")") ++type;
+        if (u_.at(type).text == "struct") return;
+        for (const int node : declarators) {
+            const glsl::Node& one = (*u_.tree)[static_cast<std::size_t>(node)];
+            const bool array = u_.at(one.first + 1).text == "[", begins = !array && last_of(node) > one.first;
+            add(Piece::Kind::declaration, n.first, n.last, begins ? glsl::parts(*u_.tree, node) : std::vector<int>{});
+            Piece& piece = body_.pieces.back();
+            piece.type = array ? std::string_view() : u_.at(type).text;
+            piece.name = one.text;
+            piece.name_token = one.first;
+            piece.whole = declarators.size() == 1;
+        }
     }
 
-    int loop(int word) {
-        Loop loop;
-        loop.word = word;
-        loop.open = word + 1;
-        loop.close = matching(loop.open);
-        loop.first = loop.close + 1;
-        loop.last = loop.first < end_ ? statement_end(loop.first) : end_;
-        const int body = loop.close + 1;
-        body_.loops.push_back(std::move(loop));
-        return body;
+    void loop(const glsl::Node& n, const std::vector<int>& inside) {
+        const bool first = n.text == "do", counted = n.text == "for";
+        if (inside.size() != (counted ? 4 : 2)) return;  // not understood
+        const int header = inside[first ? 1 : counted ? 2 : 0], body = inside[first ? 0 : inside.size() - 1];
+        const int close = last_of(header) + 1;
+        const int open = counted ? n.first + 1 : (*u_.tree)[static_cast<std::size_t>(header)].first - 1;
+        around_.push_back(static_cast<int>(body_.loops.size()));
+        body_.loops.push_back({n.first, open, close});
+        statement(body);
+        around_.pop_back();
     }
 
     const Unit& u_;
-    const std::vector<int>& expressions_;
-    int end_, depth_ = 0;
-    mutable int nesting_ = 0;
+    int depth_ = 0;
+    std::vector<int> around_;  // loops
     Body body_;
 };
 
@@ -265,11 +204,8 @@ private:
 
 std::vector<Body> bodies(const Unit& unit) {
     std::vector<Body> all;
-    const std::vector<int> known = expressions(unit);
     for (const glsl::Function& function : unit.functions)
-        if (function.open >= 0 && function.close > function.open &&
-            function.close < static_cast<int>(unit.tokens.size()))
-            all.push_back(BodyReader(unit, known, function).take());
+        if (function.block >= 0) all.push_back(BodyReader(unit, function).take());
     return all;
 }
 
