@@ -11,6 +11,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/accuracy/found/search.h"
+#include "src/glsl/read/lexer.h"
 
 namespace snell::accuracy {
 
@@ -110,14 +111,13 @@ constexpr std::size_t most_words = 28;
 
 std::string short_text(std::string_view text) { return excerpt(text, most_words); }
 
-bool part_of_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 std::string first_name(std::string_view text) {
     std::size_t at = 0;
-    while (at < text.size() && (!part_of_name(text[at]) || std::isdigit(static_cast<unsigned char>(text[at])) != 0))
+    while (at < text.size() &&
+           (!glsl::identifier_part(text[at]) || std::isdigit(static_cast<unsigned char>(text[at])) != 0))
         ++at;
     std::size_t end = at;
-    while (end < text.size() && part_of_name(text[end])) ++end;
+    while (end < text.size() && glsl::identifier_part(text[end])) ++end;
     return std::string(text.substr(at, end - at));
 }
 

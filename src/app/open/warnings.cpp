@@ -1,7 +1,6 @@
 #include "src/app/open/warnings.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +8,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/gl/target.h"
+#include "src/glsl/read/lexer.h"
 #include "src/lint/lint.h"
 #include "src/plan/setup.h"
 #include "src/plan/show.h"
@@ -68,18 +68,9 @@ namespace snell {
 
 namespace {
 
-bool has_word(std::string_view text, std::string_view word) {
-    const auto letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-        const std::size_t end = at + word.size();
-        if ((at == 0 || !letter(text[at - 1])) && (end == text.size() || !letter(text[end]))) return true;
-    }
-    return false;
-}
-
 // A text that includes a file counts, because the file may have a loop.
 bool has_loop(std::string_view text) {
-    return has_word(text, "for") || has_word(text, "while") || text.find("include \"") != text.npos;
+    return glsl::has_word(text, "for") || glsl::has_word(text, "while") || text.find("include \"") != text.npos;
 }
 
 }  // namespace

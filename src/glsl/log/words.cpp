@@ -7,23 +7,13 @@
 
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/legacy.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
 
 constexpr std::string_view prefix = "snell_";
-
-bool identifier_char(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-bool has_word(std::string_view text, std::string_view word) {
-    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-        const bool begins = at == 0 || !identifier_char(text[at - 1]);
-        const bool ends = at + word.size() >= text.size() || !identifier_char(text[at + word.size()]);
-        if (begins && ends) return true;
-    }
-    return false;
-}
 
 std::string pair_message(std::string_view a, std::string_view b, std::string_view with, std::string_view without) {
     if (a.empty() || b.empty()) return std::string(without);
@@ -182,7 +172,7 @@ std::string user_words(std::string_view message, std::string_view user) {
     std::string result;
     for (std::size_t at = 0; at < message.size();) {
         std::size_t end = at;
-        while (end < message.size() && identifier_char(message[end])) ++end;
+        while (end < message.size() && identifier_part(message[end])) ++end;
         if (end == at) {
             result += message[at++];
             continue;

@@ -189,4 +189,13 @@ std::size_t directive_end(std::string_view text, std::size_t i) {
     return std::min(i, text.size());
 }
 
+bool has_word(std::string_view text, std::string_view word) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !identifier_part(text[at - 1])) && (end == text.size() || !identifier_part(text[end])))
+            return true;
+    }
+    return false;
+}
+
 }  // namespace snell::glsl

@@ -37,5 +37,7 @@ Lexeme lex(std::string_view text, std::size_t from);
 bool identifier_start(char c);
 bool identifier_part(char c);
 bool blank(char c);
+// Whether the word is in the text, and no part of another.
+bool has_word(std::string_view text, std::string_view word);
 
 }  // namespace snell::glsl
