@@ -43,7 +43,7 @@ protected:
                    statements + "\nz.close()\n");
         ASSERT_EQ(made.status, 0) << made.output;
     }
-    // As it is in the report: those of one name have their ids behind it.
+    // As it is in the report: those that are only printed alike have their ids behind it.
     std::string named(const std::string& name) const {
         const json all = results();
         for (const json& one : all["submissions"])

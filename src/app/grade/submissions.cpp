@@ -153,15 +153,17 @@ std::string shown_name(const fs::path& path) {
 }
 
 // Names of folders, archives and scenes that are equal get their endings; those that are only printed alike, their ids.
+// What has one name in several folders keeps it: another of that name renames nobody.
 void name_apart(std::vector<Submission>& submissions) {
-    for (const bool printed : {false, true}) {
-        std::map<std::string, std::size_t> names;
-        for (const Submission& submission : submissions) ++names[submission.name];
-        for (Submission& submission : submissions)
-            if (names[submission.name] > 1)
-                submission.name = printed ? fmt::format("{} ({})", submission.name, submission.id)
-                                          : utf8::printable(fs::path(submission.path).filename().string());
-    }
+    const auto file_of = [](const Submission& submission) { return fs::path(submission.path).filename().string(); };
+    std::map<std::string, std::size_t> names;
+    for (const Submission& submission : submissions) ++names[submission.name];
+    for (Submission& submission : submissions)
+        if (names[submission.name] > 1) submission.name = utf8::printable(file_of(submission));
+    std::map<std::string, std::set<std::string>> files;
+    for (const Submission& submission : submissions) files[submission.name].insert(file_of(submission));
+    for (Submission& submission : submissions)
+        if (files[submission.name].size() > 1) submission.name += " (" + submission.id + ")";
 }
 
 // Letters, digits and some signs, so that it is a name on every file system and in every address.
