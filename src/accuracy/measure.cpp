@@ -313,8 +313,11 @@ void conclude_times(SweepResult& result, std::span<const double> base_again) {
     }
     const std::vector<Point> points = points_of(result);
     const auto timed = ranges::count_if(result.rungs, [](const RungResult& rung) { return rung.rounds > 0; });
-    result.few_rounds = result.rungs[result.sweep.current].rounds <
-                        std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
+    // The budget may have ended within a round: then some that take part in every round have one less.
+    std::size_t rounds = result.rungs[result.sweep.current].rounds;
+    for (const RungResult& rung : result.rungs)
+        if (rung.rounds > 0 && rung.rounds + 1 == result.rungs[result.sweep.current].rounds) rounds = rung.rounds;
+    result.few_rounds = rounds < std::max(fewest_rounds, rounds_for(static_cast<std::size_t>(timed)));
     result.costs = costs_of(points, result.control.noise);
     const std::vector<Verdict> verdicts = pareto_front(points, result.costs);
     const bool row = result.sweep.kind != SweepKind::lattice && result.sweep.kind != SweepKind::found;

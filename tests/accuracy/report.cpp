@@ -174,6 +174,22 @@ TEST(Conclusions, ARungWithoutDirectionsIsNotTheMostExact) {
         EXPECT_EQ(text.find("nan"), std::string::npos) << text;
 }
 
+// Six rungs make 15 pairs, which need ten rounds. Where the last round was cut short, some have only nine.
+TEST(Conclusions, ARoundThatWasCutShortCountsForNone) {
+    for (const std::size_t rounds : {rounds_for(6) - 1, rounds_for(6)}) {
+        SweepResult result = ladder_of({"1", "2", "3", "4", "5", "6"});
+        result.sweep.current = 0;
+        result.clock = ClockKind::cpu;
+        for (std::size_t i = 0; i < 6; ++i) {
+            result.rungs[i].alone.rmse = 1. - .1 * static_cast<double>(i);
+            result.rungs[i].cpu.assign(rounds_for(6), 1. + static_cast<double>(i));
+            if (i > 2 && rounds < rounds_for(6)) result.rungs[i].cpu.back() = 0;
+        }
+        conclude(result, result.rungs[0].cpu);
+        EXPECT_EQ(result.few_rounds, rounds < rounds_for(6));
+    }
+}
+
 // Counts that were not drawn may be as wrong as any.
 TEST(Conclusions, WhatCountsLeaveIsNotKnownWithoutTheLastOnes) {
     for (const std::size_t missing : {std::size_t{4}, std::size_t{2}, std::size_t{1}}) {
