@@ -50,8 +50,8 @@ std::string_view only_longer(std::string_view beginning, const std::vector<std::
     return found;
 }
 
-// The declaration whose name is nearest to `name`: equal but for capitals first, then uniforms that nothing uses.
-// Variables can't be called.
+// The declaration whose name is nearest to `name`: equal but for capitals first, then uniforms that nothing uses, then
+// what was declared last. Variables can't be called.
 const Declared* nearest_declared(std::string_view name, const std::vector<Declared>& all, bool called = false) {
     std::vector<std::string_view> names, unused;
     for (const Declared& d : all) {
@@ -61,6 +61,7 @@ const Declared* nearest_declared(std::string_view name, const std::vector<Declar
         if (d.qualifier == "uniform" && d.uses == 0) unused.push_back(d.name);
     }
     std::string_view best = nearest(name, unused);
+    std::reverse(names.begin(), names.end());
     if (best.empty()) best = nearest(name, names);
     if (best.empty()) best = only_longer(name, names);
     if (best.empty()) return nullptr;
