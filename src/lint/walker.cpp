@@ -126,7 +126,8 @@ void Walker::loop(int node) {
     if (counted) statement(all[0]);
     const int condition = all[counted ? 1 : 0], step = counted ? all[2] : -1, body = all.back();
     const double rounds = rounds_of({condition, step, body}), weight = weight_;
-    go_round(rounds, at(node).first, at(counted ? step : condition).last + 1);
+    const int bracket = at(counted ? step : condition).last + 1;  // the text may end before it
+    go_round(rounds, at(node).first, std::min(bracket, static_cast<int>(u_.tokens.size()) - 1));
     weight_ *= std::max(rounds, 1.0);
     forget_stored(at(condition).begin, body);
     const State before = state_;
