@@ -225,8 +225,10 @@ TEST(Logs, AnyBytesAreSurvived) {
         }
         Program program;
         program.add("demo.frag", round % 3 ? "void main() {\n  vNorml = 1 /* \n" : "");
-        for (const StageOutput* stage : {program.stage(Stage::fragment), static_cast<const StageOutput*>(nullptr)})
-            for (const Diagnostic& d : program.explain(log, stage).items()) EXPECT_FALSE(d.message.empty());
+        for (const StageOutput* stage : {program.stage(Stage::fragment), static_cast<const StageOutput*>(nullptr)}) {
+            const Diagnostics found = program.explain(log, stage);
+            for (const Diagnostic& d : found.items()) EXPECT_FALSE(d.message.empty());
+        }
     }
 }
 

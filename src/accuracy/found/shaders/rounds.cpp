@@ -121,6 +121,7 @@ private:
         const std::vector<Counter> all = counters(s_, loop);
         if (all.empty() || emits(loop) || indexes(loop, all.front().variable)) return;
         const Counter& c = all.front();
+        if (c.base < 0 || c.target < 0 || c.comparison < 0 || c.advance < 0) return;
         const Node &test = s_.at(c.comparison), &bound = s_.at(c.target);
         if (s_.at(c.base).value.size() != 1 || bound.first < test.first || bound.last > test.last) return;
         const Node& advance = s_.at(c.advance);
