@@ -125,6 +125,7 @@ void Walker::go_round(double rounds, int first, int last) {
     rounds_ += weight_ * (rounds + 1);
     if (rounds_ <= most_rounds || told_rounds_) return;
     told_rounds_ = true;
+    last = std::min(last, static_cast<int>(u_.tokens.size()) - 1);  // the text may end within the header
     report(Rule::many_rounds, first, last,
            std::string(go_round_text) + rounds_text(rounds_) +
                ": without a GPU, Mesa's llvmpipe ends them after 65535, and the picture is what they had by then");

@@ -126,8 +126,7 @@ void Walker::loop(int node) {
     if (counted) statement(all[0]);
     const int condition = all[counted ? 1 : 0], step = counted ? all[2] : -1, body = all.back();
     const double rounds = rounds_of({condition, step, body}), weight = weight_;
-    const int bracket = at(counted ? step : condition).last + 1;  // the text may end before it
-    go_round(rounds, at(node).first, std::min(bracket, static_cast<int>(u_.tokens.size()) - 1));
+    go_round(rounds, at(node).first, at(counted ? step : condition).last + 1);
     weight_ *= std::max(rounds, 1.0);
     forget_stored(at(condition).begin, body);
     const State before = state_;
@@ -145,6 +144,7 @@ void Walker::loop(int node) {
 
 void Walker::do_loop(int node) {
     const std::vector<int> all = parts(node);
+    if (all.size() < 2) return;  // not understood
     const int body = all[0], condition = all.back();
     const double weight = weight_;
     if (at(condition).form != Form::empty) {

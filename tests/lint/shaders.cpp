@@ -280,8 +280,9 @@ TEST(LintPlaces, InIncludedFilesAndNotInTheLibrary) {
 TEST(LintTotal, StandsAnything) {
     for (const std::string_view text :
          {"void main() { if (", "void main() { for (;;", "void main() { x = y[", "void main() { f(f(f(",
-          "float f() { return f(); }\nvoid main() { f(); }", "void main() { pow(; }", "#define A A\nvoid main() { A; }",
-          "void main() { reflect(vN); }", "void", "}{", ""})
+          "void main() { do", "void main() { do {", "void main() { do { } while (",
+          "void main() { float x = 0.; do x += 0.; while (x < 1.", "float f() { return f(); }\nvoid main() { f(); }",
+          "void main() { pow(; }", "#define A A\nvoid main() { A; }", "void main() { reflect(vN); }", "void", "}{", ""})
         (void)lint_fragment(text).text();
 }
 
