@@ -58,13 +58,25 @@ private:
         return begins_value(i) || (is(i, TokenKind::word) && (truth(text(i)) >= 0 || unfilled(text(i))));
     }
 
-    // An element of an array of uniforms: name[2]. Gives the token after it.
+    bool is_index(std::size_t i) const {
+        return is(i, TokenKind::open) && tokens_[i].glued && text(i) == "[" && is(i + 1, TokenKind::word) &&
+               is(i + 2, TokenKind::close) && text(i + 2) == "]" &&
+               text(i + 1).find_first_not_of("0123456789") == std::string_view::npos;
+    }
+
+    bool is_member(std::size_t i) const {
+        return is(i, TokenKind::word) && text(i).size() > 1 && text(i)[0] == '.' && !plausible_number(text(i)) &&
+               tokens_[i].glued;
+    }
+
+    // An element of an array of uniforms, or a member of one: name[2], name[2].member. Gives the token after it.
     std::size_t after_name(std::size_t i) const {
-        const bool element = is(i + 1, TokenKind::open) && tokens_[i + 1].glued && text(i + 1) == "[" &&
-                             is(i + 2, TokenKind::word) && is(i + 3, TokenKind::close) && text(i + 3) == "]" &&
-                             text(i + 2).find_first_not_of("0123456789") == std::string_view::npos &&
-                             begins_value_of_name(i + 4);
-        return i + (element ? 4 : 1);
+        std::size_t end = i + 1;
+        while (is_index(end)) {
+            end += 3;
+            if (is_member(end)) ++end;
+        }
+        return begins_value_of_name(after_equals(end)) ? end : i + 1;
     }
 
     bool is_name(std::size_t i) const { return is(i, TokenKind::word) || is(i, TokenKind::text); }

@@ -339,17 +339,19 @@ TEST(Controls, AUniformThatIsDeclaredIsNotMistyped) {
     const Scene scene = scene_with(
         {{"Glass",
           {value_of("uD", Kind::scalar, {1}), value_of("uW", Kind::scalar, {1}), value_of("uKd[7]", Kind::scalar, {1}),
-           value_of("uNo", Kind::scalar, {1}), value_of("uKd", Kind::scalar, {1})}}});
+           value_of("uNo", Kind::scalar, {1}), value_of("uKd", Kind::scalar, {1}),
+           value_of("uW[1].k", Kind::scalar, {1}), value_of("Block.k", Kind::scalar, {1})}}});
     ActiveUniform kd = active("float");
     kd.name = "uKd";
     kd.array_size = 4;
     Sources sources;
     const FileId file = sources.add("dir/a.frag", "\nuniform float uD, uW;\n");
-    Declared declared{sources, {{{"uD", "float"}, {"uW", "float"}}}};
+    Declared declared{sources, {{{"uD", "float"}, {"uW", "float"}, {"Block.k", "float"}}}};
     declared.programs[0][0].span = {file, 15, 17};
     declared.programs[0][1].functions = {"main (fragment)"};
     declared.programs[0][1].used = true;
     declared.programs[0][1].span = {file, 19, 21};
+    declared.programs[0][2].in_block = true;
     Diagnostics diagnostics;
     make_controls(scene, {{kd}}, diagnostics, &declared);
     std::vector<std::string> said;
@@ -357,10 +359,12 @@ TEST(Controls, AUniformThatIsDeclaredIsNotMistyped) {
         if (one.code == "unknown-uniform") said.push_back(one.message);
         EXPECT_TRUE(one.fixes.empty()) << "uKd is set already";
     }
-    EXPECT_EQ(said, (std::vector<std::string>{"'uD' is declared in a.frag:2 and never used",
-                                              "'uW' is declared in a.frag:2 but changes nothing that is drawn",
-                                              "'uKd' is a float[4], which has no '[7]'",
-                                              "no shader of program 'Glass' declares 'uNo'"}));
+    EXPECT_EQ(said, (std::vector<std::string>{
+                        "'uD' is declared in a.frag:2 and never used",
+                        "'uW' is declared in a.frag:2 but changes nothing that is drawn",
+                        "'uKd' is a float[4], which has no '[7]'", "no shader of program 'Glass' declares 'uNo'",
+                        "'uW' is declared in a.frag:2 but no '[1].k' of it changes what is drawn",
+                        "'Block.k' belongs to a uniform block, which no scene can set: it is 0"}));
 }
 
 TEST(Controls, FailedProgramKeepsItsValuesQuietly) {

@@ -73,6 +73,54 @@ TEST_F(Language, TheUnitsOfSamplersMayBeWrittenInAnyWay) {
     }
 }
 
+// Drivers say that an array ends with the last element that is read.
+TEST_F(Language, AnArrayHasItsDeclaredSize) {
+    const std::string scene = std::string(square) + "Vertex plain.vert\nFragment few.frag\nProgram T ";
+    folder.write("few.frag",
+                 "#version 330 compatibility\nuniform float uGain[4];\nuniform vec3 uColors[2];\nin vec2 vST;\n"
+                 "void main() { gl_FragColor = vec4(uColors[0].r, uGain[0], uGain[1], 1.); }\n");
+    for (const char* values : {"uGain [.2 1. 0. 0.] uColors [1. 0. 0. 0. 1. 0.]",
+                               "uColors[0] {1. 0. 0.} uColors[1] {0. 1. 0.} uGain [.2 1. 0. 0.]",
+                               "uGain[3] .1 uGain[0] .2 uGain[1] 1. uColors [1. 0. 0. 0. 1. 0.]"}) {
+        auto document = open(scene + values + "\nQuadXY\n");
+        EXPECT_TRUE(document->diagnostics.items().empty()) << render(document->diagnostics, document->sources);
+        EXPECT_TRUE(near(draw(*document).center(), {255, 51, 255, 255})) << values;
+    }
+    auto document = open(scene + "uGain [.2 1. 0. 0.]\nQuadXY\n");
+    EXPECT_TRUE(
+        near(draw(*document, {.sets = {"uGain=.4 .6 1 1", "uColors=1 0 0 0 0 1"}}).center(), {255, 102, 153, 255}));
+}
+
+// As for glman, which asks OpenGL for the name "uGain[1]".
+TEST_F(Language, ElementsOfArraysHaveSliders) {
+    folder.write("few.frag",
+                 "#version 330 compatibility\nuniform float uGain[4];\nin vec2 vST;\n"
+                 "void main() { gl_FragColor = vec4(uGain[0], uGain[1], uGain[2], 1.); }\n");
+    auto document = open(std::string(square) +
+                         "Vertex plain.vert\nFragment few.frag\n"
+                         "Program T uGain[0] <0. .2 1.> uGain[1] <0. .4 2.> uGain[3] <0. .1 1.>\nQuadXY\n");
+    EXPECT_TRUE(document->diagnostics.items().empty()) << render(document->diagnostics, document->sources);
+    const Control* second = document->controls.find(0, "uGain[1]");
+    ASSERT_NE(second, nullptr);
+    EXPECT_EQ(second->widget, Widget::slider);
+    EXPECT_EQ(second->max, 2);
+    EXPECT_EQ(second->array_size, 1);
+    EXPECT_TRUE(near(draw(*document).center(), {51, 102, 0, 255}));
+    EXPECT_TRUE(near(draw(*document, {.sets = {"uGain[1]=.6", "uGain[2]=.8"}}).center(), {51, 153, 204, 255}));
+}
+
+TEST_F(Language, MembersOfArraysOfStructuresHaveValues) {
+    folder.write("members.frag",
+                 "#version 330 compatibility\nstruct Light { vec3 color; float gain; };\nuniform Light uLights[2];\n"
+                 "in vec2 vST;\nvoid main() { gl_FragColor = vec4(uLights[0].color * uLights[1].gain, 1.); }\n");
+    auto document = open(std::string(square) +
+                         "Vertex plain.vert\nFragment members.frag\n"
+                         "Program T uLights[0].color {1. .5 0.} uLights[1].gain <0. .4 1.>\nQuadXY\n");
+    EXPECT_TRUE(document->diagnostics.items().empty()) << render(document->diagnostics, document->sources);
+    EXPECT_TRUE(near(draw(*document).center(), {102, 51, 0, 255}));
+    EXPECT_TRUE(near(draw(*document, {.sets = {"uLights[1].gain=.8"}}).center(), {204, 102, 0, 255}));
+}
+
 TEST_F(Language, AMissingImageIsACheckerboardAndAnError) {
     auto document = open(std::string(square) +
                          "Texture2D 6 none.bmp\nVertex plain.vert\nFragment texture.frag\nProgram T uUnit 6\nQuadXY\n");

@@ -360,7 +360,7 @@ std::vector<DeclaredUniform> declared_uniforms(Program& program) {
                 DeclaredUniform d{before + std::string(m.name), std::string(m.type.name)};
                 d.array_size = m.type.dims > 0 ? std::max(m.type.size, 0) : 0;
                 d.simple = false;
-                d.used = true;
+                d.in_block = d.used = true;
                 if (ranges::find(declared, d.name, &DeclaredUniform::name) != declared.end()) continue;
                 declared.push_back(std::move(d));
             }

@@ -50,7 +50,7 @@ Element find_element(const std::vector<ActiveUniform>& active, std::string_view 
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc() || end != digits.data() + digits.size()) return {};
     const ActiveUniform* array = find_active(active, name.substr(0, bracket));
-    if (array == nullptr || index >= static_cast<std::size_t>(std::max(array->array_size, 1))) return {};
+    if (array == nullptr || array->array_size < 2 || index >= static_cast<std::size_t>(array->array_size)) return {};
     return {array, index};
 }
 
@@ -136,7 +136,14 @@ private:
     void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
         const bool laddered = scene_.programs[program].ladders > 0;
         const std::string_view base = std::string_view(written.name).substr(0, written.name.find_first_of(".["));
+        if (const auto* whole = find_declared(program, written.name); whole != nullptr && whole->in_block) {
+            report_unknown(
+                written, fmt::format("'{}' belongs to a uniform block, which no scene can set: it is 0", written.name))
+                .help = "declare it as a uniform of its own";
+            return;
+        }
         const glsl::DeclaredUniform* declared = find_declared(program, base);
+        if (declared != nullptr && declared->span.begin == declared->span.end) declared = nullptr;
         if (active.empty() && declared == nullptr) return;  // the program failed
         if (const ActiveUniform* array = find_active(active, base); array != nullptr && !laddered) {
             report_unknown(written, fmt::format("'{}' is a {}, which has no '{}'", base, type_name(*array),
@@ -169,19 +176,21 @@ private:
     void report_unused(const UniformValue& written, const glsl::DeclaredUniform& declared) {
         const bool never = declared.functions.empty() && !declared.used;
         const std::string_view path = declared_->sources.name(declared.span.file);
+        const std::string_view rest = std::string_view(written.name).substr(declared.name.size());
         Diagnostic& said = report_unknown(
-            written, fmt::format("'{}' is declared in {}:{} {}", written.name, path.substr(path.rfind('/') + 1),
+            written, fmt::format("'{}' is declared in {}:{} {}", declared.name, path.substr(path.rfind('/') + 1),
                                  declared_->sources.position(declared.span.file, declared.span.begin).line,
-                                 never ? "and never used" : "but changes nothing that is drawn"));
+                                 never          ? "and never used"
+                                 : rest.empty() ? "but changes nothing that is drawn"
+                                                : fmt::format("but no '{}' of it changes what is drawn", rest)));
         said.help = "use it in the shader, or remove it from the Program line";
         said.notes.push_back({declared.span, "declared here"});
     }
 
     const glsl::DeclaredUniform* find_declared(Index program, std::string_view name) const {
         if (declared_ == nullptr || program >= declared_->programs.size()) return nullptr;
-        const auto& all = declared_->programs[program];
-        const auto found = ranges::find(all, name, &glsl::DeclaredUniform::name);
-        return found == all.end() || found->span.begin == found->span.end ? nullptr : &*found;
+        const auto found = ranges::find(declared_->programs[program], name, &glsl::DeclaredUniform::name);
+        return found == declared_->programs[program].end() ? nullptr : &*found;
     }
 
     bool is_listed(Index program, std::string_view name) const {

@@ -1,5 +1,7 @@
 #include "src/plan/values/declared.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -67,6 +69,30 @@ ActiveUniform described(const Program& program, const glsl::DeclaredUniform& dec
     uniform.initial = declared.initial;
     uniform.initial.resize(static_cast<std::size_t>(uniform.components) * static_cast<std::size_t>(uniform.array_size));
     return uniform;
+}
+
+bool has_sliders_of_elements(const Program& program, const ActiveUniform& array) {
+    if (array.array_size < 2 || array.type == ValueType::sampler || array.system) return false;
+    bool element = false;
+    for (const UniformValue& value : program.uniforms) {
+        if (value.name == array.name) return false;
+        const bool widget = (value.kind == UniformValue::Kind::range && value.values.size() > 2) ||
+                            value.kind == UniformValue::Kind::boolean || value.kind == UniformValue::Kind::color;
+        element = element || (widget && value.name.starts_with(array.name + "["));
+    }
+    return element;
+}
+
+std::vector<ActiveUniform> elements_of(const ActiveUniform& array) {
+    std::vector<ActiveUniform> elements;
+    for (int i = 0; i < array.array_size; ++i) {
+        ActiveUniform& element = elements.emplace_back(array);
+        element.name = fmt::format("{}[{}]", array.name, i);
+        element.array_size = 1;
+        const auto first = array.initial.begin() + static_cast<std::ptrdiff_t>(i) * array.components;
+        element.initial.assign(first, first + array.components);
+    }
+    return elements;
 }
 
 double fit_to_type(double value, ValueType type) {

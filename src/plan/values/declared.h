@@ -26,6 +26,12 @@ bool set_by_snell(const Program& program, std::string_view name, std::string_vie
 // The uniform as a linked program would have it if it is active.
 ActiveUniform described(const Program& program, const glsl::DeclaredUniform& declared);
 
+// True if the scene gives elements of the array widgets of their own, as in "uWeights[1] <0. .5 1.>", and names it
+// nowhere as a whole: each element is a uniform of its own then, as it is for OpenGL.
+bool has_sliders_of_elements(const Program& program, const ActiveUniform& array);
+// One uniform for each element, such as "uWeights[1]".
+std::vector<ActiveUniform> elements_of(const ActiveUniform& array);
+
 // Fits numbers to the types of uniforms. For use in src/plan only.
 
 struct Range {

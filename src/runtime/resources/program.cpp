@@ -13,6 +13,7 @@
 #include "parser/text/ranges.h"
 #include "shaders/embedded.h"
 #include "src/plan/texts.h"
+#include "src/plan/values/declared.h"
 #include "src/runtime/resources/counters.h"
 
 namespace snell::runtime {
@@ -74,6 +75,8 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     for (const UniformValue& uniform : program.uniforms) names.push_back(uniform.name);
     ranges::sort(names);
     for (const std::string_view name : names) add(name);
+    for (const glsl::DeclaredUniform& declared : translation.declared)
+        if (has_sliders_of_elements(program, described(program, declared))) add(declared.name);
     return key;
 }
 

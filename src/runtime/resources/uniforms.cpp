@@ -318,6 +318,16 @@ std::string scene_name(const std::string& shader_name, const glsl::Translation& 
     return renamed == translation.renamed.end() ? shader_name : renamed->name;
 }
 
+// Drivers leave out the last elements of an array if no shader reads them: a scene's array is the declared one.
+void complete(ActiveUniform& array, const glsl::Translation& translation) {
+    const auto declared = ranges::find(translation.declared, array.name, &glsl::DeclaredUniform::name);
+    if (declared == translation.declared.end() || declared->array_size <= array.array_size) return;
+    array.array_size = declared->array_size;
+    array.initial.resize(static_cast<std::size_t>(array.components) * static_cast<std::size_t>(array.array_size));
+    for (std::size_t i = 0; i < std::min(array.initial.size(), declared->initial.size()); ++i)
+        array.initial[i] = declared->initial[i];
+}
+
 // Sorts the active uniforms: those that the runtime sets, those that the scene sets, and samplers.
 void introspect(LinkedProgram& linked, const Program& program, const glsl::Translation& translation,
                 const gl::Caps& caps) {
@@ -334,9 +344,12 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
         active.type = type_facts(type).type;
         active.components = type_facts(type).components;
         active.array_size = uniform.size;
-        active.initial = read_values(id, uniform, type_facts(type));
+        const std::vector<double> read = read_values(id, uniform, type_facts(type));
+        active.initial = read;
         const bool ours = uniform.name.starts_with("snell_");
+        const std::string shader_name = uniform.name;
         uniform.name = active.name = scene_name(uniform.name, translation);
+        complete(active, translation);
         if (active.type == ValueType::sampler) {
             SamplerUniform sampler{uniform.name, type, sampler_target(uniform.name, type), uniform.location, next_unit,
                                    uniform.size, {}};
@@ -348,10 +361,20 @@ void introspect(LinkedProgram& linked, const Program& program, const glsl::Trans
             active.system = true;
             const auto floats = static_cast<std::size_t>(active.components * uniform.size);
             linked.system.push_back({system->system, uniform.type, uniform.location, uniform.size, floats, {}});
+        } else if (has_sliders_of_elements(program, active)) {
+            for (ActiveUniform& element : elements_of(active)) {
+                const std::string within = shader_name + element.name.substr(active.name.size());
+                const GLint location = glGetUniformLocation(id, within.c_str());
+                if (location >= 0)
+                    linked.user.push_back({element.name, element.type, uniform.type, location, element.components, 1,
+                                           element.initial, element.initial});
+                linked.active.push_back(std::move(element));
+            }
+            continue;
         } else {
             active.system = ours && uniform.name.starts_with("snell_");
             linked.user.push_back({uniform.name, active.type, uniform.type, uniform.location, active.components,
-                                   uniform.size, active.initial, active.initial});
+                                   uniform.size, read, read});
         }
         linked.active.push_back(std::move(active));
     }
