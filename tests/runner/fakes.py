@@ -13,7 +13,7 @@ RUN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "run.py")
 
 # A program of GoogleTest as it looks from outside: it writes a report, and ends.
 FAKE = """#!/usr/bin/env python3
-import os, signal, sys
+import os, signal, sys, time
 mode, folder = sys.argv[1], os.path.dirname(sys.argv[0])
 chosen = [a[len("--gtest_filter="):].split(":") for a in sys.argv if a.startswith("--gtest_filter=")]
 again = bool(chosen)
@@ -28,6 +28,12 @@ if mode == "crash":
     os.kill(os.getpid(), signal.SIGSEGV)
 if mode == "ends":
     os._exit(0)
+if mode in ("slow", "hangs"):
+    print("[ RUN      ] Plain.Holds", flush=True)
+    for _ in range(5 if mode == "slow" else 100):
+        time.sleep(.4)
+        if mode == "slow":
+            print("[       OK ] Plain.Holds", flush=True)
 def case(name):
     suite, test = name.split(".")
     inside = '<failure message="no"/>' if name in failing else ""
@@ -85,6 +91,13 @@ class Verdicts(unittest.TestCase):
             self.assertEqual(outcome.returncode, 0, outcome.stdout)
             self.assertIn("1 passed only the second time", outcome.stdout)
             self.assertIn("passed only the second time: " + test, self.sum("0").stdout)
+
+    def test_a_test_that_hangs_ends(self):
+        hung = self.run_fake("hangs", SNELL_TEST_SILENCE="1.5")
+        self.assertEqual(hung.returncode, 1)
+        self.assertIn("[ RUN      ] Plain.Holds", hung.stdout)
+        self.assertIn("no test began or ended for 1.5 s", hung.stdout)
+        self.assertEqual(self.run_fake("slow", SNELL_TEST_SILENCE="1.5").returncode, 0)
 
     def test_no_graphics_may_be_meant(self):
         self.assertIn("3 tests looked at nothing (no graphics: none)", self.run_fake("blind").stdout)

@@ -9,6 +9,7 @@ test, if it has no test at all, and if there are no graphics, unless SNELL_NO_GR
 --side-by-side  N processes share the tests: tests of windows wait most of the time
 --again         those that fail are run once more, alone: another process may have taken the processor, or a display may
                 have been late; what is wrong fails both times
+A program in which no test begins or ends for SNELL_TEST_SILENCE seconds (900) is ended.
 With SNELL_TEST_RECORD, a folder, what was skipped and what passed only the second time is written there; --sum prints
 it, and fails if more than SNELL_MOST_SKIPPED tests were skipped.
 """
@@ -18,6 +19,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree as xml
 
 
@@ -33,7 +35,18 @@ class Run:
         self.tests, self.failed, self.skipped, self.wrong = [], [], {}, ""
 
     def wait(self):
-        status = self.process.wait()
+        """Ends it if no test begins or ends for long: however many tests it has, and however busy the machine is."""
+        longest = float(os.environ.get("SNELL_TEST_SILENCE", 900))
+        length, since = 0, time.monotonic()
+        while (status := self.ended(longest / 100)) is None:
+            now = os.stat(self.log).st_size
+            if now != length:
+                length, since = now, time.monotonic()
+            elif time.monotonic() - since > longest:
+                self.process.kill()
+                self.process.wait()
+                self.wrong = f"no test began or ended for {longest:g} s"
+                return self
         try:
             cases = xml.parse(self.report).getroot().iter("testcase")
         except (OSError, xml.ParseError):
@@ -51,6 +64,12 @@ class Run:
         if status != 0 and not self.failed:
             self.wrong = f"it ended with status {status} although no test failed"
         return self
+
+    def ended(self, seconds):
+        try:
+            return self.process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            return None
 
     def print(self):
         """The output of what failed comes last: where it is cut, it is cut before that."""
