@@ -188,13 +188,22 @@ TEST(Slide, ColumnsAreOfEqualTimeOrEqualError) {
         EXPECT_EQ(column.equal_time, column.own || column.name == "first" || column.name == "as fast and better");
         EXPECT_EQ(column.equal_error, column.own || column.name.starts_with("as good"));
     }
-    EXPECT_EQ(count_of(slide, "equal time"), 1U);
-    EXPECT_EQ(count_of(slide, "equal error"), 1U);
+    EXPECT_EQ(count_of(slide, "about equal time"), 1U);
+    EXPECT_EQ(count_of(slide, "about equal error"), 1U);
 
     const Slide apart = slide_with({sweep_of("WAY", {{"own", 10, .1}, {"slow", 30, .01}})});
     ASSERT_EQ(apart.columns.size(), 2U);
     for (const SlideColumn& column : apart.columns) EXPECT_FALSE(column.equal_time || column.equal_error);
-    EXPECT_EQ(count_of(apart, "equal time") + count_of(apart, "equal error"), 0U);
+    EXPECT_EQ(count_of(apart, "about equal time") + count_of(apart, "about equal error"), 0U);
+}
+
+TEST(Slide, AnErrorBelowTheReferencesResidualIsNoNumber) {
+    SweepResult sweep = sweep_of("WAY", {{"own", 10, .11}, {"good", 10.1, .004}, {"fair", 10.2, .05}});
+    sweep.whole_residual = .02;
+    const Slide slide = slide_with({sweep});
+    EXPECT_EQ(count_of(slide, "<0.02"), 1U);
+    EXPECT_EQ(count_of(slide, "0.004"), 0U);
+    EXPECT_EQ(count_of(slide, "0.11"), 1U);
 }
 
 TEST(Slide, SamePictureIsShownOnce) {

@@ -39,8 +39,8 @@ public:
             draw_plot(page_, slide_.plot, plot, text_size);
         if (slide_.whole.width > 0) whole({right + 34, 84, slide_width - margin, 464});
         if (slide_.columns.empty()) return std::move(page_.marks);
-        bracket(brackets, &SlideColumn::equal_time, "equal time");
-        bracket(brackets, &SlideColumn::equal_error, "equal error");
+        bracket(brackets, &SlideColumn::equal_time, "about equal time");
+        bracket(brackets, &SlideColumn::equal_error, "about equal error");
         for (std::size_t i = 0; i < slide_.columns.size(); ++i) column(slide_.columns[i], left(i));
         reference(left(slide_.columns.size()));
         return std::move(page_.marks);
@@ -103,9 +103,10 @@ private:
         for (const std::string& line : name.lines) y = page_.text(x + name_indent, y, line, name.size).y1;
         framed(column.picture, x, crops_top, column.ink);
         framed(column.map, x, maps_top, column.ink);
-        // What differs from the scene's own rung stands out.
-        page_.text(x + crop_width, numbers_top, fmt::format("{:.2g}", column.error), text_size, Ink::text, 1,
-                   column.equal_time && !column.own);
+        // What differs from the scene's own rung stands out. Below the residual, the number would be the reference's.
+        const bool below = slide_.plot.floor > 0 && column.error <= slide_.plot.floor;
+        page_.text(x + crop_width, numbers_top, fmt::format("{}{:.2g}", below ? "<" : "", column.error), text_size,
+                   Ink::text, 1, column.equal_time && !column.own);
         const double ms = column.milliseconds;
         if (ms > 0)
             page_.text(x, numbers_top, ms >= 100 ? fmt::format("{:.0f} ms", ms) : fmt::format("{:#.3g} ms", ms),
