@@ -201,7 +201,8 @@ std::string not_found_from(const fs::path& folder, const Document& document) {
     std::error_code error;
     for (const std::string& path : document.files->read_paths()) {
         const fs::path relative = fs::path(path).lexically_normal().lexically_relative(old);
-        const bool whole = document.sources.text(0).find(path) != std::string_view::npos;  // it is named by its path
+        const bool whole =  // it is named by its path
+            fs::path(path).is_absolute() && document.sources.text(0).find(path) != std::string_view::npos;
         if (path == document.path || whole || (!relative.empty() && fs::exists(folder / relative, error))) continue;
         lost += (lost.empty() ? "" : ", ") + fs::path(path).filename().string();
     }
@@ -219,7 +220,10 @@ std::size_t changed_values(const Document& document) {
     return count;
 }
 
-Saved saved_values(const Document& document) {
+namespace {
+
+// The new texts, whatever the files on the disk are now.
+Saved new_texts(const Document& document) {
     Saved saved;
     if (!document.runtime) {
         saved.error = "the scene cannot be read";
@@ -236,36 +240,50 @@ Saved saved_values(const Document& document) {
         saved.files.push_back(
             {std::string(document.sources.name(file)), std::string(before), with_edits(before, file, back.edits)});
     }
-    for (const SavedFile& file : saved.files)
-        if (content::whole_file(file.path) != file.before)
-            saved.error = file.path + " has changed since it was read: reload it, or correct its errors, first";
-    if (saved.error.empty() && !reads_back(back, read_again(document, saved.files)))
+    if (!reads_back(back, read_again(document, saved.files))) {
         saved.error = "the new text would not say these values: nothing is written";
+        saved.files.clear();
+    }
+    return saved;
+}
+
+}  // namespace
+
+Saved saved_values(const Document& document) {
+    Saved saved = new_texts(document);
+    std::error_code error;
+    for (const SavedFile& file : saved.files)
+        if (!fs::exists(file.path, error))
+            saved.error = file.path + " is gone: save the scene under a name, which writes what was read";
+        else if (content::whole_file(file.path) != file.before)
+            saved.error = file.path + " has changed since it was read: reload it, or correct its errors, first";
     if (!saved.error.empty()) saved.files.clear();
     return saved;
 }
 
 SavedAs saved_as(const Document& document, const std::string& name) {
-    const Saved saved = saved_values(document);
+    const Saved saved = new_texts(document);
     SavedAs as{{{}, {}, std::string(document.sources.text(0))}, false, saved.error};
     const fs::path given = fs::path(name).filename();
     if (as.error.empty() && (given.empty() || given == "." || given == "..")) as.error = "the scene needs a name";
     if (!as.error.empty()) return as;
-    fs::path path = fs::path(document.path).parent_path() / name;
-    if (path.extension() != ".glib") path += ".glib";
+    const fs::path old_folder = fs::path(document.path).parent_path();
+    const fs::path path = old_folder / name;
     as.file.path = path.lexically_normal().string();
     std::error_code error;
     as.exists = fs::exists(path, error);
-    if (fs::equivalent(path, document.path, error)) as.error = "this is the scene itself: Ctrl+S saves to it";
+    if (fs::equivalent(path, document.path, error))
+        as.error = "this is the scene itself, which is saved without another name";
     for (const SavedFile& file : saved.files) {
         if (file.path == document.path)
             as.file.after = file.after;
         else
-            as.error = fs::path(file.path).filename().string() + " has some of these values: Ctrl+S saves to it first";
+            as.error = fs::path(file.path).filename().string() + " has some of these values: save them there first";
     }
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (as.error.empty() && !fs::is_directory(folder, error)) as.error = "there is no folder " + folder.string();
-    const std::string lost = as.error.empty() ? not_found_from(folder, document) : "";
+    const bool moves = path.parent_path().lexically_normal() != old_folder.lexically_normal();
+    const std::string lost = as.error.empty() && moves ? not_found_from(folder, document) : "";
     if (!lost.empty()) as.error = "the scene would not find " + lost + " from there";
     return as;
 }

@@ -98,9 +98,9 @@ struct SavedAs {
     bool exists = false;  // a file of that name would be replaced
     std::string error;    // why the scene can't have that name
 };
-// Computes it; writes nothing. `name` is relative to the scene's folder; ".glib" is added where it lacks. Refuses
-// folders from which the scene's files would not be found, and values that belong to another file, which the scene
-// includes.
+// Computes it, whatever has become of the scene's own file; writes nothing. `name` is relative to the scene's folder.
+// Refuses folders from which the scene's files would not be found, and values that belong to another file, which the
+// scene includes.
 SavedAs saved_as(const Document& document, const std::string& name);
 
 }  // namespace snell

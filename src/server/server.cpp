@@ -186,8 +186,8 @@ std::optional<std::string> Session::answer(const Json& message, bool cancelled) 
         return fmt::format(R"({{"jsonrpc":"2.0","id":{},"result":{}}})", text_of(id), result_of(method, params));
     } catch (const Failure& failure) {
         return request ? std::optional(failure_text(id, failure.code, failure.message)) : std::nullopt;
-    } catch (const Json::exception& error) {
-        return wrong(Failure::invalid_params, error.what());
+    } catch (const Json::exception&) {
+        return wrong(Failure::invalid_params, fmt::format("the parameters of '{}' have another form", method));
     } catch (const std::exception& error) {
         return wrong(Failure::internal_error, error.what());
     }

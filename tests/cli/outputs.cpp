@@ -114,6 +114,18 @@ TEST_F(Outputs, NoFileThatASceneReadsIsOverwritten) {
     for (const char* name : {"o.png", "s.png", "out/c"}) EXPECT_FALSE(there(name)) << name << " was written";
 }
 
+TEST_F(Outputs, ACopyOfASceneThatWouldNotFindItsFilesIsNotWritten) {
+    folder.write("w.glib", "Ortho -1 1 -1 1\nFragment w.frag\nProgram P uA <0. .5 1.>\nQuadXY 0 .5\n");
+    folder.write("w.frag", "uniform float uA;\nvoid main() { gl_FragColor = vec4(uA, 0., 0., 1.); }\n");
+    const Outcome refused = in_folder("save w.glib --set uA=.9 -o out/copy.glib");
+    EXPECT_EQ(refused.status, 1) << refused.output;
+    EXPECT_TRUE(refused.says("would not find")) << refused.output;
+    EXPECT_FALSE(there("out/copy.glib"));
+    EXPECT_EQ(in_folder("save w.glib -o ./copy.glib").status, 0);
+    EXPECT_EQ(bytes_of(folder.path("copy.glib")), bytes_of(folder.path("w.glib")));
+    EXPECT_EQ(in_folder("save w.glib -o link/../w.glib").status, 0) << "the scene's own file";
+}
+
 // A link to a file that does not exist yet names that file.
 TEST_F(Outputs, OneFileThroughADanglingLinkIsRefused) {
     fs::create_symlink("notyet.csv", folder.path("l1"));

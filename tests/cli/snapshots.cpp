@@ -259,10 +259,21 @@ TEST_F(Kept, AFileThatChangedMeanwhileIsNotOverwritten) {
     EXPECT_EQ(bytes_of(folder.path("s.glib")), other);
 }
 
+TEST_F(Kept, ADeletedSceneIsRescuedByAnotherName) {
+    auto document = read();
+    named(*document, "uA").value = {.9};
+    fs::remove(folder.path("s.glib"));
+    EXPECT_NE(saved_values(*document).error.find("is gone"), std::string::npos) << saved_values(*document).error;
+    const SavedAs as = saved_as(*document, "rescued.glib");
+    ASSERT_EQ(as.error, "");
+    folder.write("rescued.glib", as.file.after);
+    EXPECT_EQ(named(*open_file(folder.path("rescued.glib")), "uA").value, std::vector<double>{.9});
+}
+
 TEST_F(Kept, AnotherNameIsTheSameSceneWithItsValues) {
     auto document = read();
     named(*document, "uA").value = {.9};
-    const SavedAs as = saved_as(*document, "other");
+    const SavedAs as = saved_as(*document, "other.glib");
     ASSERT_EQ(as.error, "");
     EXPECT_EQ(as.file.path, folder.path("other.glib"));
     EXPECT_FALSE(as.exists);
@@ -278,7 +289,7 @@ TEST_F(Kept, AnotherNameIsTheSameSceneWithItsValues) {
 
 TEST_F(Kept, NamesThatMakeNoSceneAreRefused) {
     auto document = read();
-    for (const char* name : {"", "sub/", "s.glib", "s", "./s.glib", "nowhere/x.glib"})
+    for (const char* name : {"", "sub/", "s.glib", "./s.glib", "nowhere/x.glib"})
         EXPECT_NE(saved_as(*document, name).error, "") << name;
     folder.write("sub/other.txt", "");
     const std::string error = saved_as(*document, "sub/x").error;

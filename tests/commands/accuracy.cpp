@@ -90,9 +90,12 @@ TEST_F(Accuracy, WritesEveryFormat) {
 }
 
 TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
-    EXPECT_EQ(run("--size 100x100 --reps 5000 --budget 5 --ladders SHADE --json " + folder.path("r.json"),
-                  "timeout --foreground -s INT 2 "),  // else it comes twice, and the second ends it
-              124)                                    // of `timeout`, which waited for the end
+    const int seconds = static_cast<int>(2 * patience);
+    EXPECT_EQ(run("--size 100x100 --reps 5000 --budget " + std::to_string(3 * seconds) + " --ladders SHADE --json " +
+                      folder.path("r.json"),
+                  "timeout --foreground -s INT " + std::to_string(seconds) +
+                      " "),  // else it comes twice, and the second ends it
+              124)           // of `timeout`, which waited for the end
         << text("err.txt");
     const auto json = nlohmann::json::parse(text("r.json"));
     EXPECT_EQ(json["ladders"][0]["interrupted"], true);

@@ -103,6 +103,10 @@ constexpr Mistake mistakes[] = {
     {"missing parenthesis",
      "#version 330 compatibility\nin vec3 vNormal;\nvoid main() {\n    gl_FragColor = vec4(abs(vNormal, 1.;\n}\n",
      "demo.frag:4:40 ;", "", "')' is missing"},
+    {"call of a macro without its end",
+     "#version 330 compatibility\n#define TWICE(x) (2. * (x))\nin vec2 vST;\nvoid main() {\n    float a = "
+     "TWICE(vST.s;\n    gl_FragColor = vec4(a);\n}\n",
+     "demo.frag:5:20 (", "'(' is never closed", "close it with ')'"},
     {"surplus brace", "#version 330 compatibility\nvoid main() {\n    gl_FragColor = vec4(1.);\n}\n}\n",
      "demo.frag:5:1 }", "'}'", "more '}' than '{'"},
     {"arguments of a built-in",

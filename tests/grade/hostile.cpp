@@ -26,12 +26,13 @@ protected:
         GradeTest::SetUp();
         if (IsSkipped()) return;
         scene("s/ann");
-        folder.write("r.toml", head +
-                                   "[[item]]\nno_errors = true\n[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n"
-                                   "[[item]]\nno_lints = [\"never-read\"]\n[[item]]\nuniforms = { uKd = \"float\" }\n"
-                                   "[[item]]\nexpect = \"reference\"\nmax_rmse = 0.9\n[[item]]\nforbids = [\"Torus\"]\n"
-                                   "[[item]]\nset = { uRed = 0 }\nthan = { uRed = 0, uKd = 0.1 }\n"
-                                   "expect = \"different\"\n");
+        folder.write("r.toml",
+                     with(head, "timeout = 10", "timeout = " + std::to_string(static_cast<int>(10 * patience))) +
+                         "[[item]]\nno_errors = true\n[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n"
+                         "[[item]]\nno_lints = [\"never-read\"]\n[[item]]\nuniforms = { uKd = \"float\" }\n"
+                         "[[item]]\nexpect = \"reference\"\nmax_rmse = 0.9\n[[item]]\nforbids = [\"Torus\"]\n"
+                         "[[item]]\nset = { uRed = 0 }\nthan = { uRed = 0, uKd = 0.1 }\n"
+                         "expect = \"different\"\n");
     }
     // An archive with entries of these names, in Python's words.
     void zip(const std::string& file, const std::string& statements) {

@@ -126,6 +126,9 @@ class Wrong(unittest.TestCase):
         answers = self.answers(data)
         self.assertEqual({code(m) for m in answers}, {-32602})
         self.assertEqual(len(answers), len(shapes) * len(methods))
+        self.assertIn("the parameters of 'textDocument/hover' have another form",
+                      {m["error"]["message"] for m in answers})
+        self.assertNotIn("json.", str(answers))
         for method in ("didOpen", "didChange", "didClose", "didSave"):
             self.assertEqual(self.answers(b"".join(frame(notification("textDocument/" + method, p)) for p in shapes)),
                              [])

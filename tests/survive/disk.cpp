@@ -118,7 +118,7 @@ TEST_F(Disk, EveryOutputSaysThatTheDiskIsFullAndLeavesTheOldFile) {
         "noise.frag",
         "void main() { gl_FragColor = vec4(fract(sin(gl_FragCoord.xyx * vec3(12.9, 78.2, 3.7)) * 43758.5), 1.); }\n");
     folder.write("noise.glib", "Ortho -1 1 -1 1\nFragment noise.frag\nProgram N\nQuadXY 0 1\n");
-    fs::create_directory(at("out"));
+    folder.write("out/p.frag", bytes_of(at("p.frag")));  // a scene is saved only where it finds its files
     for (const Output& output : outputs()) {
         std::ofstream(output.file) << "old";
         // In blocks of 1024 bytes; nothing at all for what is shorter.

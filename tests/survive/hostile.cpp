@@ -101,19 +101,19 @@ TEST_F(Hostile, NothingIsWrittenButWhatIsNamed) {
         "env -u XDG_CACHE_HOME -u XDG_CONFIG_HOME -u XDG_STATE_HOME -u XDG_DATA_HOME HOME=" + at("home") +
         " TMPDIR=" + at("tmp") + " MESA_SHADER_CACHE_DISABLE=true ";
     auto before = files_in(folder_.path());
-    const std::pair<const char*, const char*> commands[] = {{"check SCENE", ""},
-                                                            {"render SCENE -o OUT/a.png --size 32x32", "a.png"},
-                                                            {"explain SCENE", ""},
-                                                            {"save SCENE -o OUT/b.glib --set P.uEta=2", "b.glib"},
-                                                            {"info", ""}};
+    const std::pair<const char*, const char*> commands[] = {
+        {"check SCENE", ""},
+        {"render SCENE -o ../out/a.png --size 32x32", "out/a.png"},
+        {"explain SCENE", ""},
+        {"save SCENE -o ../scene/b.glib --set P.uEta=2", "scene/b.glib"},
+        {"info", ""}};
     for (const auto& [command, written] : commands) {
         std::string line = command;
         if (const std::size_t i = line.find("SCENE"); i != line.npos) line.replace(i, 5, at("scene/s.glib"));
-        if (const std::size_t i = line.find("OUT"); i != line.npos) line.replace(i, 3, at("out"));
         const test::Outcome outcome = test::run("cd " + at("here") + " && " + environment + SNELL_BIN "/snell " + line);
         EXPECT_EQ(outcome.status, 0) << line << '\n' << outcome.output;
         if (*written) {
-            const std::string path = at("out/") + written;
+            const std::string path = at(written);
             ASSERT_TRUE(fs::exists(path)) << line;
             before[path] = fs::last_write_time(path);
         }

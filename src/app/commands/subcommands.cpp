@@ -140,19 +140,6 @@ struct SaveOptions {
     double timeout = 20;  // in seconds, for reading
 };
 
-// Writes the scene's new text into another file.
-Exit write_copy(const Document& document, const Saved& saved, const std::string& output) {
-    std::string text(document.sources.text(0));
-    for (const SavedFile& file : saved.files) {
-        if (file.path != document.path)
-            return complain(exit_input,
-                            fmt::format("a value is in {}, which {} would still include", file.path, output));
-        text = file.after;
-    }
-    const std::string error = content::replace_file(output, text);
-    return error.empty() ? exit_fine : complain(exit_input, error);
-}
-
 Exit save(const SaveOptions& options) {
     Deadline deadline(options.timeout);
     deadline.begin(fmt::format("reading '{}'", options.scene));
@@ -180,16 +167,17 @@ Exit save(const SaveOptions& options) {
     fmt::print(stderr, "{}", snell::render(said, document->sources));
     if (said.has_errors()) return exit_input;
 
+    std::error_code unknown;
+    const bool elsewhere =
+        !options.output.empty() && !std::filesystem::equivalent(options.output, options.scene, unknown);
+    const auto as = elsewhere ? std::optional(saved_as(*document, std::filesystem::absolute(options.output).string()))
+                              : std::nullopt;
     const Saved saved = saved_values(*document);
-    if (!saved.error.empty()) return complain(exit_input, saved.error);
+    if (const std::string& wrong = as ? as->error : saved.error; !wrong.empty()) return complain(exit_input, wrong);
     for (const Unwritten& value : saved.unwritten) complain(fmt::format("{}: {}", value.name, value.reason));
     if (!saved.unwritten.empty()) return exit_input;
-    if (!options.output.empty()) {
-        if (const Exit wrong = write_copy(*document, saved, options.output); wrong != exit_fine) return wrong;
-    } else if (const std::string error = write_saved(saved.files); !error.empty()) {
-        return complain(exit_input, error);
-    }
-    return exit_fine;
+    const std::string error = as ? content::replace_file(as->file.path, as->file.after) : write_saved(saved.files);
+    return error.empty() ? exit_fine : complain(exit_input, error);
 }
 
 }  // namespace

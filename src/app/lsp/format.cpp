@@ -88,7 +88,7 @@ Run add_format(CLI::App& command) {
                      "replace nothing; list files that would change, and end with status 1 if there are any");
     command.footer(
         "Statements between PushMatrix and PopMatrix, glBegin and glEnd, and in passes to textures are indented,\n"
-        "and continued lines are aligned. Nothing else changes.");
+        "and continued lines are aligned. Nothing else changes. Scenes are not judged: 'snell check' does that.");
     return [options] {
         Exit status = exit_fine;
         for (const std::string& path : options->files)

@@ -113,6 +113,8 @@ private:
 
 // The brace that is never closed, judged by indentation; npos if all are.
 std::size_t unclosed_brace(std::string_view text);
+// The parenthesis that a block begins or ends within; npos if there is none.
+std::size_t unclosed_parenthesis(std::string_view text);
 
 // ---- words for people ----------------------------------------------------------------------------------
 

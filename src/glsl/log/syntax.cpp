@@ -211,18 +211,20 @@ void hint_end_of_file(const Place& place, const Context& context, Diagnostic& di
     if (!place.known) return;
     const std::string_view text = context.sources.text(place.file);
     const std::size_t brace = unclosed_brace(text);
-    if (brace == std::string_view::npos) {
+    const std::size_t open = brace == std::string_view::npos ? unclosed_parenthesis(text) : brace;
+    if (open == std::string_view::npos) {
         // Some compilers stop at the first character that they do not know.
         for (const Word& w : context.texts.words(place.file))
             if (hint_character({place.file, w.begin, w.end}, text, diagnostic)) return;
         diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";
         return;
     }
-    const auto offset = static_cast<std::uint32_t>(brace);
+    const auto offset = static_cast<std::uint32_t>(open);
     diagnostic.notes.push_back({diagnostic.span, "the text ends here"});
     diagnostic.span = {place.file, offset, offset + 1};
-    diagnostic.message.replace(0, diagnostic.message.find(" ("), "this '{' is never closed");
-    diagnostic.help = "close it with '}'";
+    diagnostic.message.replace(0, diagnostic.message.find(" ("),
+                               "this '" + std::string(text.substr(open, 1)) + "' is never closed");
+    diagnostic.help = brace == std::string_view::npos ? "close it with ')'" : "close it with '}'";
 }
 
 }  // namespace snell::glsl::log

@@ -174,4 +174,16 @@ std::size_t unclosed_brace(std::string_view text) {
     return suspect == std::string_view::npos ? open.back() : suspect;
 }
 
+std::size_t unclosed_parenthesis(std::string_view text) {
+    std::vector<std::size_t> open;
+    for (const Word& w : words(text)) {
+        const std::string_view t = text_of(text, w);
+        if (w.directive) continue;
+        if (t == "(") open.push_back(w.begin);
+        if (t == ")" && !open.empty()) open.pop_back();
+        if ((t == "{" || t == "}") && !open.empty()) return open.back();
+    }
+    return std::string_view::npos;
+}
+
 }  // namespace snell::glsl::log

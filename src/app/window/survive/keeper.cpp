@@ -29,7 +29,10 @@ std::string restore(int number, Document& document) {
 }
 
 void save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& served) {
-    SavedAs saved = saved_as(document, dialog.file.data());
+    std::string name = dialog.file.data();
+    const std::string last = name.substr(name.rfind('/') + 1);
+    if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
+    SavedAs saved = saved_as(document, name);
     if (!ui::confirmed(dialog, saved.error.empty() && saved.exists, saved.file.path)) return;
     if (saved.error.empty()) saved.error = content::replace_file(saved.file.path, saved.file.after);
     dialog.error = std::move(saved.error);
