@@ -27,7 +27,7 @@ protected:
                      "SHADE_cheap\n c = .9 * c;\n#endif\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
         scene = folder.write("scene.glib",
                              "Ladder SHADE <cheap> exact\nVertex lit.vert\nFragment lit.frag\nProgram Lit\n"
-                             "Ortho -1.5 1.5 -1.5 1.5\nLookAt 0 0 3 0 0 0 0 1 0\nSphere 1 30 30\n");
+                             "Ortho -1.5 1.5 -1.5 1.5\nLookAt 0 0 3 0 0 0 0 1 0\nSphere 1 12 12\n");
     }
 
     int run(const std::string& arguments, const std::string& before = "") {
@@ -42,6 +42,7 @@ protected:
 };
 
 TEST_F(Accuracy, WritesEveryFormat) {
+    folder.write("scene.glib", text("scene.glib").replace(text("scene.glib").find("12 12"), 5, "30 30"));
     ASSERT_EQ(
         run("--size 64x64 --reps 9 --budget 4 --ladders SHADE --knobs samples -o " + folder.path("r.html") + " --svg " +
             folder.path("p.svg") + " --json " + folder.path("r.json") + " --csv " + folder.path("r.csv")),

@@ -102,10 +102,15 @@ void make_emptied(const fs::path& from, const fs::path& to, const Emptied& one) 
     EXPECT_TRUE(changed) << from << " as " << one.name;
 }
 
-// What `snell grade` says of the folder's submissions.
-nlohmann::json grades(const fs::path& rubric, const Scratch& folder) {
-    const Outcome outcome =
-        snell("grade " + rubric.string() + " " + folder.path("submissions") + " -o " + folder.path("report"));
+// What `snell grade` says of the folder's submissions by its rubric, with small pictures: what it compares does not
+// depend on their size. Pictures of the size that the rubric has are drawn by the examples of README.md.
+nlohmann::json grades(const Scratch& folder) {
+    const std::string rubric = bytes_of(folder.path("rubric.toml")),
+                      small = std::regex_replace(rubric, std::regex("\nsize = \"[0-9x]+\""), "\nsize = \"64x64\"");
+    EXPECT_NE(small, rubric);
+    folder.write("rubric.toml", small);
+    const Outcome outcome = snell("grade " + folder.path("rubric.toml") + " " + folder.path("submissions") + " -o " +
+                                  folder.path("report"));
     EXPECT_EQ(outcome.status, 0) << rubric << '\n' << outcome.output;
     EXPECT_FALSE(outcome.says("reference-fails")) << rubric << ": the solution itself\n" << outcome.output;
     return nlohmann::json::parse(bytes_of(folder.path("report/results.json")), nullptr, false);
@@ -119,14 +124,14 @@ TEST(Teaching, RubricsGiveThePointsThatThePagesTell) {
     for (const fs::path& lesson : lessons()) {
         const Scratch folder;
         const fs::path handed_in = folder.path("submissions");
-        fs::copy(lesson / "submissions", handed_in, fs::copy_options::recursive);
+        fs::copy(lesson, folder.path(), fs::copy_options::recursive);
         fs::copy(lesson / "handout", handed_in / "handout", fs::copy_options::recursive);
         const bool all = lesson.filename() == "07-glass";  // two programs and six images
         for (const Emptied& one : damages)
             if (all || &one == &damages[next % damages.size()])
                 make_emptied(lesson / "submissions/passing", handed_in, one);
         ++next;
-        const nlohmann::json results = grades(lesson / "rubric.toml", folder);
+        const nlohmann::json results = grades(folder);
         EXPECT_EQ(results["points"], 10) << lesson;
         const std::vector<double> told = points_told(bytes_of(lesson / "README.md"));
         ASSERT_EQ(told.size(), 2u) << lesson;
@@ -164,7 +169,7 @@ TEST(Teaching, NothingEarnsNothingByRubricsOfTemplates) {
         fs::create_directory(handed_in);
         fs::copy(own, handed_in / "whole", fs::copy_options::recursive);
         make_emptied(own, handed_in, damages[next++ % damages.size()]);
-        const nlohmann::json results = grades(rubric, folder);
+        const nlohmann::json results = grades(folder);
         ASSERT_EQ(results["submissions"].size(), 2u);
         for (const auto& one : results["submissions"])
             EXPECT_EQ(one["points"], one["name"] == "whole" ? results["points"] : nlohmann::json(0)) << rubric << '\n'

@@ -352,7 +352,9 @@ void Desk::drag(std::array<int, 2> from, std::array<int, 2> to, int button) cons
 }
 
 Picture Desk::look() const {
-    return picture_of(output_of({"import", "-window", "root", "-depth", "8", "ppm:-"}, display_));
+    Picture screen = screen_of(display_);
+    EXPECT_FALSE(screen.rgb.empty()) << "no picture of the screen";
+    return screen;
 }
 
 Picture Desk::read_picture(const std::string& name) const {

@@ -1,3 +1,5 @@
+#include "tests/gui/x11.h"
+
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
@@ -5,8 +7,6 @@
 
 #include <chrono>
 #include <memory>
-
-#include "tests/gui/x11.h"
 
 namespace snell::test {
 
@@ -171,6 +171,26 @@ bool close_windows(const std::string& display) {
     }
     XSync(connection.get(), False);
     return found;
+}
+
+Picture screen_of(const std::string& display) {
+    const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
+    if (!connection) return {};
+    const int number = DefaultScreen(connection.get());
+    Picture picture{DisplayWidth(connection.get(), number), DisplayHeight(connection.get(), number), {}};
+    XImage* image =
+        XGetImage(connection.get(), DefaultRootWindow(connection.get()), 0, 0, static_cast<unsigned>(picture.width),
+                  static_cast<unsigned>(picture.height), AllPlanes, ZPixmap);
+    // Xvfb's screens of 24 bits: blue, green, red and a byte of nothing.
+    if (!image || image->bits_per_pixel != 32 || image->red_mask != 0xFF0000 || image->byte_order != LSBFirst)
+        return {};
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const char* pixel = image->data + y * image->bytes_per_line + x * 4;
+            for (const int channel : {2, 1, 0}) picture.rgb.push_back(static_cast<unsigned char>(pixel[channel]));
+        }
+    XDestroyImage(image);
+    return picture;
 }
 
 bool set_dots_per_inch(const std::string& display, int dots) {

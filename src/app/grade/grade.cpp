@@ -15,7 +15,6 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/progress.h"
-#include "src/content/image/open_module.h"
 #include "src/content/workers.h"
 
 namespace snell::app {
@@ -256,12 +255,9 @@ private:
 
     bool judge_all(const std::vector<std::size_t>& open) {
         if (open.empty()) return true;
-        // Once for all processes. As many as there are at a time open it as quickly, and only if they need it.
-        const std::size_t jobs = options_.jobs > 0 ? options_.jobs : content::cores();
-        if (open.size() > jobs) content::open_image_module();
         bool graphics = true;
         run_apart(
-            open.size(), apart(jobs),
+            open.size(), apart(options_.jobs > 0 ? options_.jobs : content::cores()),
             [&](std::size_t k) {
                 const GradedSubmission& graded = grades_.all[open[k]];
                 const std::string folder = folder_of(graded.submission);

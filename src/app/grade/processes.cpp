@@ -16,6 +16,7 @@
 #include "parser/text/words.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
+#include "src/content/image/open_module.h"
 
 namespace snell::app {
 
@@ -52,6 +53,7 @@ void run_apart(std::size_t count, const Apart& how, const std::function<int(std:
                 settle_in();
                 return status_of([&] { return work(k); });
             };
+            content::open_image_module_as_copies_do();
             if (running.back().process.start(alone, how.limits).empty()) continue;
             running.pop_back();
             done(index, {});  // no process could be made

@@ -144,6 +144,7 @@ private:
 // Returns the row of the scene; `status` is an error that ends the gallery.
 GalleryRow row_of(const GalleryOptions& options, const Exhibit& exhibit, const std::string& page, Exit& status) {
     // In a process of its own, because a scene may never end, or end the program.
+    content::open_image_module_as_copies_do();
     content::Process apart;
     apart.start(
         [&](std::string& result) {
@@ -227,7 +228,6 @@ Exit make_gallery(const GalleryOptions& options) {
     if (!error.empty() || !find_scenes(options.folders, exhibits)) return exit_input;
     name_pages(exhibits);
     if (const Exit refused = check_gallery(options, exhibits); refused != exit_fine) return refused;
-    content::open_image_module();
     std::vector<GalleryRow> rows;
     Exit status = exit_fine;
     for (const Exhibit& exhibit : exhibits) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 
@@ -21,6 +22,9 @@ namespace {
 
 constexpr const char* module_name = "snell_oiio.so";
 constexpr std::size_t message_size = 1024;
+
+// Shared with the copies of this process: whether one of them has opened the module. Null if there are none.
+std::atomic<bool>* needed = nullptr;
 
 OiioModule open_module() {
     OiioModule result;
@@ -148,10 +152,17 @@ SnellOiioShape module_shape(const Image& image) {
 
 const OiioModule& oiio_module() {
     static const OiioModule module = open_module();
+    if (needed) needed->store(true);
     return module;
 }
 
-void open_image_module() { oiio_module(); }
+void open_image_module_as_copies_do() {
+    if (!needed) {
+        void* shared = mmap(nullptr, sizeof(*needed), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (shared != MAP_FAILED) needed = new (shared) std::atomic<bool>(false);
+    }
+    if (needed && needed->load()) oiio_module();
+}
 
 ImageResult decode_other(std::string_view bytes, std::string_view format, const ImageLimits& limits) {
     const OiioModule& module = oiio_module();

@@ -3,8 +3,8 @@
 
 namespace snell::content {
 
-// Opens the module now, if there is one: it takes a quarter of a second, which copies of this process then save. Starts
-// no thread.
-void open_image_module();
+// Where a process starts copies of itself: opening the module takes a quarter of a second, which later copies save if
+// this process opens it, too, once one of them needed it. Called before each copy is started. Starts no thread.
+void open_image_module_as_copies_do();
 
 }  // namespace snell::content
