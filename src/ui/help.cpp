@@ -38,7 +38,7 @@ std::span<const KeyRow> key_rows() {
         {"arrow keys; with Shift; Page keys", "change that value: in steps; fine; coarse"},
         {"Enter; Esc", "type that value, and apply it; restore the old one"},
         {"slider: double click or Ctrl click", "type a number"},
-        {"slider: right click; Alt drag", "reset to the scene's value; fine adjustment"},
+        {"slider: right click; Shift or Alt drag", "reset to the scene's value; fine adjustment"},
         {"slider: right click on its name", "reset, logarithmic scale, animation"},
         {"ladder: right click", "reset to the scene's rung"},
     };

@@ -14,6 +14,7 @@
 #include "src/ui/help.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
+#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/frame_cost.h"
@@ -30,10 +31,9 @@ namespace {
 Text label_of(const Scene& scene, const Control& control) {
     Text text("{} : {} = ", scene.programs[control.program].name, control.name);
     if (control.type == ValueType::bool_) return std::move(text.append(control.value[0] != 0 ? "true" : "false"));
-    const bool integral = control.type == ValueType::int_ || control.type == ValueType::uint_;
     for (std::size_t i = 0; i < control.value.size(); ++i) {
         if (i > 0) text.append(", ");
-        if (integral)
+        if (is_whole(control.type))
             text.add("{:10.0f}", control.value[i]);
         else if (control.widget == Widget::color)
             text.add("{:8.3f}", control.value[i]);
@@ -345,7 +345,7 @@ void switch_accuracy(Memory& memory) {
 
 void keys(const Facts& facts, View& view, Memory& memory, Requests& requests) {
     if (pressed(Key::h)) hide(memory);
-    requests.reload = pressed(Key::f5);
+    requests.reload |= pressed(Key::f5);
     requests.full_screen = pressed(Key::f11);
     keep_keys(facts, requests);
     clock_keys(facts, memory);
@@ -380,8 +380,8 @@ void hint(const Rect& scene, Memory& memory, Layout& layout) {
 
 // What lies over the picture, except for what must be seen even where everything is hidden.
 void overlays(const Facts& facts, const Rect& scene, const Controls& controls, const Fonts& fonts, Memory& memory,
-              Layout& layout) {
-    notices(facts, scene, memory, layout);
+              Requests& requests, Layout& layout) {
+    notices(facts, scene, memory, requests, layout);
     if (memory.labels) value_labels(facts, controls, scene, fonts);
     flags_legend(facts, scene, memory.pixels, layout);
 }
@@ -402,7 +402,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (memory.panel) {
         panel_window(facts, parts.panel, controls, view, memory, layout, requests);
         status_line(facts, parts.status, memory, layout);
-        overlays(facts, parts.scene, controls, fonts, memory, layout);
+        overlays(facts, parts.scene, controls, fonts, memory, requests, layout);
     }
     problems_panel(facts, parts.scene, fonts, memory, requests, layout);
     if (no_scene_open(facts) && !memory.browser.open && no_scene(parts.scene, layout))

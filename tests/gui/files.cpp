@@ -79,7 +79,7 @@ TEST_F(FilesWindow, ADroppedSceneIsOpened) {
     save("one.glib", scene(".1"));
     EXPECT_FALSE(wait([&](const json& s) { return s["revision"] != revision; }, .5));
     ASSERT_TRUE(drop_files(display_, {file("other/paint.frag")}));
-    EXPECT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().starts_with("no .glib"); }));
+    EXPECT_TRUE(wait([](const json& s) { return s["failure"].get<std::string>().starts_with("no .glib"); }));
     EXPECT_EQ(state()["file"], file("other/two.glib"));
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
@@ -108,8 +108,8 @@ TEST_F(FilesWindow, TheBrowserOpensAnotherSceneAndTheLastOneIsRecent) {
     user("type --delay 20 ./none.glib");
     user("key Return");
     ASSERT_TRUE(
-        wait([](const json& s) { return s["notice"].get<std::string>().find("none.glib") != std::string::npos; }));
-    settle();  // the notice is in the state before the browser is off the screen
+        wait([](const json& s) { return s["failure"].get<std::string>().find("none.glib") != std::string::npos; }));
+    settle();  // the failure is in the state before the browser is off the screen
     EXPECT_EQ(state()["file"], file("one.glib"));
     expect_pixel(.2, .4);
 }

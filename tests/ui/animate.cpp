@@ -57,9 +57,10 @@ TEST(Animate, StaysWithinTheRangeAndTheType) {
 
 TEST(Animate, OfALogarithmicSliderHasEqualRatiosInEqualTimes) {
     Controls controls = one(.01, .01, 100);
-    Animated motion = animated_from(controls.items[0], 0, 8, 0);
-    motion.logarithmic = true;
+    const Animated motion = animated_from(controls.items[0], 0, 8, 0, true);
     for (int i = 0; i <= 4; ++i) EXPECT_NEAR(at(controls, motion, i) / (.01 * std::pow(10, i)), 1, 1e-4) << i;
+    Controls middle = one(.01, 1, 100);
+    EXPECT_NEAR(at(middle, animated_from(middle.items[0], 0, 8, 5, true), 5), 1, 1e-4) << "begins where the slider is";
 }
 
 TEST(Animate, EndsWhenItsSliderIsGone) {

@@ -22,14 +22,18 @@ TEST(UiNumbers, WhatIsShownReadsBackCloseEnoughToSeeAStep) {
 }
 
 TEST(UiNumbers, TypedNumbersAreFiniteFloats) {
-    EXPECT_EQ(typed(" +1.5 ", false), 1.5);
-    EXPECT_EQ(typed(".5", false), .5);
-    EXPECT_EQ(typed("5.", false), 5.);
-    EXPECT_EQ(typed("1e-3", false), 1e-3);
-    EXPECT_EQ(typed("2.6", true), 3.);
+    EXPECT_EQ(typed(" +1.5 ", ValueType::float_), 1.5);
+    EXPECT_EQ(typed(".5", ValueType::float_), .5);
+    EXPECT_EQ(typed("5.", ValueType::float_), 5.);
+    EXPECT_EQ(typed("1e-3", ValueType::float_), 1e-3);
+    EXPECT_EQ(typed("2.6", ValueType::int_), 3.);
     for (const char* text : {"", "+", "nan", "inf", "1e39", "0x10", "1 2", "+-1", "1e400"})
-        EXPECT_EQ(typed(text, false), std::nullopt) << text;
-    EXPECT_EQ(typed("3e9", true), std::nullopt);
+        EXPECT_EQ(typed(text, ValueType::float_), std::nullopt) << text;
+    EXPECT_EQ(typed("3e9", ValueType::int_), std::nullopt);
+    EXPECT_EQ(typed("3e9", ValueType::uint_), 3e9);
+    EXPECT_EQ(typed("-5", ValueType::uint_), std::nullopt);
+    EXPECT_EQ(typed("1e300", ValueType::double_), 1e300);
+    EXPECT_EQ(typed("1e300", ValueType::float_), std::nullopt);
 }
 
 TEST(ColorDigits, GiveTheSameByteAndNoMoreDigitsThanNeeded) {

@@ -138,7 +138,12 @@ TEST_F(UiTest, AnUnsignedSliderTakesNoNegativeNumber) {
     add_slider("uCount", 0, 3, 10, ValueType::uint_);
     click(place("Glass.uCount"), MouseButton::left, .5, {.ctrl = true});
     type("-4");
-    EXPECT_EQ(controls_.items[0].value[0], 0);
+    EXPECT_EQ(controls_.items[0].value[0], 3);
+    frame({key(Key::escape, true)});
+    frame({key(Key::escape, false)});
+    click(place("Glass.uCount"), MouseButton::left, .5, {.ctrl = true});
+    type("3000000000");
+    EXPECT_EQ(controls_.items[0].value[0], 3e9);
 }
 
 TEST_F(UiTest, ConstantsAreBehindAFoldUnlistedUniformsBelowARule) {
@@ -171,13 +176,50 @@ TEST_F(UiTest, OnlyTheFirstProgramIsOpenAtFirst) {
     EXPECT_FALSE(has("Glass.uEta"));
 }
 
-TEST_F(UiTest, TheFirstProgramWithSlidersIsOpenToo) {
+TEST_F(UiTest, SectionsAreRememberedByTheirSceneAndName) {
+    FileRow file;
+    file.path = "/first.glib";
+    facts_.files = {&file, 1};
+    add_slider("uEta", 0, .5, 1);
+    EXPECT_TRUE(has("Glass.uEta"));
+    click(place("Glass"));
+    EXPECT_FALSE(has("Glass.uEta"));
+    FileRow other;
+    other.path = "/second.glib";
+    facts_.files = {&other, 1};
+    EXPECT_TRUE(has("Glass.uEta")) << "another scene";
+    facts_.files = {&file, 1};
+    EXPECT_FALSE(has("Glass.uEta"));
+    scene_.programs.insert(scene_.programs.begin(), scene_.programs[0]);
+    scene_.programs[0].name = "Walls";
+    linked_.push_back(1);
+    controls_.items[0].program = 1;
+    EXPECT_FALSE(has("Glass.uEta")) << "also behind a new program";
+}
+
+TEST_F(UiTest, TwoClicksDuringASlowFrameAreADoubleClick) {
+    add_slider("uEta", .1, 1.1, 5);
+    const Rect bar = place("Glass.uEta");
+    frame({move(bar.x + bar.width * .9, bar.y + bar.height / 2)}, .5);
+    frame({button(true)}, .5);
+    frame({button(false), button(true)}, .5);
+    frame({button(false)}, .5);
+    EXPECT_EQ(controls_.items[0].value[0], 1.1);
+    frame({key(Key::escape, true)}, .5);
+    EXPECT_EQ(controls_.items[0].value[0], 1.1) << "nothing that the first click did remains";
+}
+
+TEST_F(UiTest, AProgramWithoutSlidersIsAFoldedLine) {
     add_program("Water");
     add_slider("uEta", 0, .5, 1);
     add_program("Air");
     add_slider("uKa", 0, .5, 1);
     EXPECT_TRUE(has("Water.uEta"));
     EXPECT_FALSE(has("Air.uKa"));
+    click(place("Glass"));
+    const double opened = place("Water").y;
+    click(place("Glass"));
+    EXPECT_LT(place("Water").y, opened) << "it was folded";
 }
 
 TEST_F(UiTest, TheMouseTurnsScalesAndMovesTheScene) {
@@ -258,14 +300,22 @@ TEST_F(UiTest, AMessageStaysUntilItIsDismissed) {
 
 TEST_F(UiTest, AFailureStaysUntilItIsDismissedAndLeavesTheMessages) {
     scene_.messages.push_back({"Move uEta slowly.", {}});
-    memory_.failure = "a.html is not saved: a.glib:3:1: error: browsers have no geometry shaders";
+    memory_.failure = {"a.html is not saved: a.glib:3:1: error: browsers have no geometry shaders"};
     EXPECT_TRUE(has("failure.ok"));
     click(place("message.ok"));
     EXPECT_FALSE(has("message.ok"));
     EXPECT_TRUE(has("failure.ok"));
     click(place("failure.ok"));
     EXPECT_FALSE(has("failure.ok"));
-    EXPECT_EQ(memory_.failure, "");
+    EXPECT_EQ(memory_.failure.text, "");
+    EXPECT_FALSE(has("failure.remedy"));
+    memory_.failure = {"not saved: a.glib has changed", Failure::Remedy::reload};
+    const Rect remedy = place("failure.remedy");
+    frame({move(remedy.x + remedy.width / 2, remedy.y + remedy.height / 2)});
+    frame({button(true)});
+    frame({button(false)});
+    EXPECT_TRUE(requests_.reload);
+    EXPECT_FALSE(has("failure.ok")) << "it is answered";
 }
 
 TEST_F(UiTest, NothingNewIsTheSamePictureAndAHoverIsAnother) {

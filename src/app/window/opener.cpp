@@ -64,7 +64,10 @@ std::optional<std::string> Opener::serve(const ui::Requests& requests, const std
     }
     if (const ui::Place& place = requests.edit; !place.file.empty()) {
         const Started started = editor_.open(place.file, place.line, place.column);
-        memory.notice = started.error.empty() ? started.program + " opens " + file_name(place.file) : started.error;
+        if (started.error.empty())
+            memory.notice = started.program + " opens " + file_name(place.file);
+        else
+            memory.failure = {started.error};
     }
     return requests.open.empty() ? std::nullopt : scene_at(requests.open, memory);
 }
@@ -72,7 +75,7 @@ std::optional<std::string> Opener::serve(const ui::Requests& requests, const std
 std::optional<std::string> Opener::serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
     for (const std::string& path : paths)
         if (is_folder(path) || has_extension(path, "glib")) return scene_at(path, memory);
-    if (!paths.empty()) memory.notice = "no .glib scene: " + file_name(paths[0]);
+    if (!paths.empty()) memory.failure = {"no .glib scene: " + file_name(paths[0])};
     return std::nullopt;
 }
 
@@ -98,7 +101,7 @@ bool Opener::look(ui::Memory& memory) {
     write();
     std::string said = editor_.look();
     if (said.empty()) return false;
-    memory.notice = std::move(said);
+    memory.failure = {std::move(said)};
     return true;
 }
 

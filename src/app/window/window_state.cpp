@@ -129,6 +129,7 @@ void write_window_state(const std::string& file, const std::string& answered, co
                {"stale", session.stale()},
                {"view", view_of(view, memory.hold)},
                {"notice", memory.notice},
+               {"failure", memory.failure.text},
                {"file", session.path()},
                {"files", session.files()},
                {"theme", ui::theme_names[static_cast<std::size_t>(memory.theme)]},

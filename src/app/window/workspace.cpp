@@ -83,8 +83,10 @@ bool Workspace::look(const View& view, ui::Memory& memory) {
     std::string said = pages_.look();
     const bool saved = !said.empty();
     // The reason is longer than the status line, and comes when the user may be at something else.
-    if (said.find(" is not saved: ") != said.npos) memory.failure = said;
-    if (saved) memory.notice = std::move(said);
+    if (said.find(" is not saved: ") != said.npos)
+        memory.failure = {std::move(said)};
+    else if (saved)
+        memory.notice = std::move(said);
     return opener_.look(memory) || saved;
 }
 
@@ -145,7 +147,10 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
     if (document()) {
         const std::string undone = past_.serve(requests, session_, view, memory.animated, [this] { follow_rungs(); });
         if (!undone.empty()) {
-            memory.notice = undone;
+            if (undone.starts_with("not "))
+                memory.failure = {undone, ui::Failure::Remedy::reload};
+            else
+                memory.notice = undone;
             keeper_.look_again();
         }
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
@@ -170,7 +175,7 @@ void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::M
         pages_.busy() ? "another page is being saved" : pages_.start(page, page_arguments(*document(), view));
     if (!dialog.error.empty()) return;
     dialog.open = false;
-    memory.failure.clear();
+    memory.failure = {};
     memory.notice = fmt::format("saving {}\u2026", dialog.existing);
 }
 

@@ -27,10 +27,12 @@ double rounded(double value, double size) {
 
 }  // namespace
 
-Animated animated_from(const Control& control, std::size_t component, double period, double time) {
-    Animated motion{control.program, control.name, component, std::max(period, shortest), time, false};
-    const double range = control.max - control.min;
-    const double fraction = range > 0 ? std::clamp((control.value[component] - control.min) / range, 0., 1.) : 0;
+Animated animated_from(const Control& control, std::size_t component, double period, double time, bool logarithmic) {
+    Animated motion{control.program, control.name, component, std::max(period, shortest), time, logarithmic};
+    const double value = control.value[component];
+    const double way = by_ratio(motion, control) ? std::log(control.max / control.min) : control.max - control.min;
+    const double done = by_ratio(motion, control) ? std::log(value / control.min) : value - control.min;
+    const double fraction = way > 0 ? std::clamp(done / way, 0., 1.) : 0;
     motion.start = time - fraction * motion.period / 2;
     return motion;
 }

@@ -24,7 +24,8 @@ struct Animated {
 };
 
 // Begins a motion at the control's current value, upwards.
-Animated animated_from(const Control& control, std::size_t component, double period, double time);
+Animated animated_from(const Control& control, std::size_t component, double period, double time,
+                       bool logarithmic = false);
 // Sets the values of this time. Motions whose control does not exist any more end.
 void animate(Controls& controls, std::vector<Animated>& animated, double time);
 // stop() ends the motion of a component, stop_all() those of a program.

@@ -39,6 +39,9 @@ void say(const ImRect& box, std::string_view what) {
     remark.shown = true;
 }
 
+// Many window managers move the window by a drag with Alt.
+bool fine() { return ImGui::GetIO().KeyAlt || ImGui::GetIO().KeyShift; }
+
 void close() {
     kit().typing.id = 0;
     kit().remark.shown = false;
@@ -104,7 +107,7 @@ bool is_typed(ImGuiID id) {
     return focus.opens || (!ImGui::GetIO().WantTextInput && (pressed(Key::enter) || pressed(Key::keypad_enter)));
 }
 
-bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, bool integral) {
+bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type) {
     Typing& typing = kit().typing;
     if (typing.id != id) type_number(id, value);
     typing.drawn = true;
@@ -132,14 +135,15 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
     left = left || ImGui::GetActiveID() != id;
     if (!left && !tab && !enter) return false;
     const std::string_view text = typing.text.data();
-    if (const std::optional<double> entered = typed(text, integral)) return apply(value, *entered);
+    if (const std::optional<double> entered = typed(text, type)) return apply(value, *entered);
+    const char* wrong = evaluated(text) ? "out of the type's range" : "not a number";
     if (tab || enter) {
         typing.fresh = true;
         typing.selected = false;
         kit().focus.refused = true;
-        say(box, "not a number");
+        say(box, wrong);
     } else {
-        const std::string remark = fmt::format("'{}' is not a number", text);
+        const std::string remark = fmt::format("'{}' is {}", text, wrong);
         close();
         say(box, remark);
     }
@@ -154,17 +158,17 @@ double moved(double value, ImGuiID id, const NumberStyle& style, bool held) {
     double& exact = kit().dragged;
     if (!held || io.MouseClicked[0]) exact = value;
     const double before = exact;
-    if (held) exact += style.speed * io.MouseDelta.x * (io.KeyAlt ? .05 : io.KeyShift ? 10 : 1);
+    if (held) exact += style.speed * io.MouseDelta.x * (fine() ? .05 : 1);
     if (const double steps = key_steps(id); steps != 0)
-        exact += style.integral ? std::copysign(std::max(1., std::abs(steps)), steps) : steps * style.speed;
+        exact += is_whole(style.type) ? std::copysign(std::max(1., std::abs(steps)), steps) : steps * style.speed;
     if (exact == before) return value;
-    return style.integral ? std::round(exact) : tidy_step(exact, style.speed);
+    return is_whole(style.type) ? std::round(exact) : tidy_step(exact, style.speed);
 }
 
 void draw_number(const ImRect& box, double value, const NumberStyle& style, bool hovered, bool held) {
     const ImGuiCol fill = held ? ImGuiCol_FrameBgActive : hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg;
     ImGui::RenderFrame(box.Min, box.Max, ImGui::GetColorU32(fill), true, ImGui::GetStyle().FrameRounding);
-    const Text text = style.integral ? Text("{:.0f}", value) : Text("{:.{}g}", value, style.digits);
+    const Text text = is_whole(style.type) ? Text("{:.0f}", value) : Text("{:.{}g}", value, style.digits);
     ImGui::RenderTextClipped(box.Min, box.Max, text.begin(), text.end(), nullptr, {.5F, .5F});
 }
 
@@ -183,7 +187,7 @@ bool number_field(const char* label, double& value, double initial, float width,
     ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
     if (!ImGui::ItemAdd(box, id, &box) && !is_typed(id)) return false;
     ImGui::GetCurrentContext()->NextItemData.ClearFlags();
-    if (is_typed(id)) return typed_field(box, id, label, value, style.integral);
+    if (is_typed(id)) return typed_field(box, id, label, value, style.type);
 
     bool hovered = false, held = false;
     const bool clicked = ImGui::ButtonBehavior(box, id, &hovered, &held);
@@ -195,15 +199,15 @@ bool number_field(const char* label, double& value, double initial, float width,
     draw_number(box, value, style, hovered, held);
     draw_focus(box, id);
     if (edited == value) return false;
-    const std::optional<double> valid = fitting(edited, style.integral);
+    const std::optional<double> valid = fitting(edited, style.type);
     if (!valid || *valid == value) return false;
     value = *valid;
     return true;
 }
 
-bool number(const char* label, double& value, bool integral, double initial, float width) {
-    const double speed = integral ? .1 : std::clamp(std::abs(value) * .01, 1e-3, 1e30);
-    return number_field(label, value, initial, width, {speed, integral});
+bool number(const char* label, double& value, ValueType type, double initial, float width) {
+    const double speed = is_whole(type) ? .1 : std::clamp(std::abs(value) * .01, 1e-3, 1e30);
+    return number_field(label, value, initial, width, {speed, type});
 }
 
 }  // namespace snell::ui
@@ -233,7 +237,7 @@ double value_at(double fraction, const SliderRange& range, bool fine) {
     if (fraction >= 1) return range.max;
     const double value = by_ratio(range) ? range.min * std::pow(range.max / range.min, fraction)
                                          : range.min * (1 - fraction) + range.max * fraction;
-    if (range.integral) return std::round(value);
+    if (is_whole(range.type)) return std::round(value);
     if (by_ratio(range)) return tidy_relative(value, range.min, range.max, fine);
     return tidy(std::clamp(value, range.min, range.max), range.min, range.max, fine);
 }
@@ -242,7 +246,7 @@ double value_at(double fraction, const SliderRange& range, bool fine) {
 double dragged_to(const ImRect& box, double value, const SliderRange& range, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const float grab = ImGui::GetStyle().GrabMinSize * .5F, way = std::max(1.0F, box.GetWidth() - 2 * grab);
-    if (io.KeyAlt && !memory.relative) {
+    if (fine() && !memory.relative) {
         memory.relative = true;
         memory.fraction = fraction_of(value, range);
     }
@@ -251,10 +255,10 @@ double dragged_to(const ImRect& box, double value, const SliderRange& range, Sli
         return std::isfinite(at) ? value_at(std::clamp(at, 0.0, 1.0), range, false) : value;
     }
     constexpr double slow = .05;
-    const double moved = io.MouseDelta.x / way * (io.KeyAlt ? slow : 1);
+    const double moved = io.MouseDelta.x / way * (fine() ? slow : 1);
     if (!std::isfinite(moved) || moved == 0) return value;
     memory.fraction = std::clamp(memory.fraction + moved, 0.0, 1.0);
-    return value_at(memory.fraction, range, io.KeyAlt);
+    return value_at(memory.fraction, range, fine());
 }
 
 // Draws a thin track, filled up to the knob.
@@ -278,7 +282,7 @@ void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction) {
 // Returns the value that the keyboard moves the knob to: by a hundredth of the range for a step, whole numbers by one.
 double stepped(double value, double steps, const SliderRange& range) {
     if (steps == 0 || !(range.min < range.max)) return value;
-    if (!range.integral) return value_at(fraction_of(value, range) + steps / 100, range, std::abs(steps) < 1);
+    if (!is_whole(range.type)) return value_at(fraction_of(value, range) + steps / 100, range, std::abs(steps) < 1);
     const double coarse = std::abs(steps) >= 10 ? std::round((range.max - range.min) / 10) : 1;
     return std::clamp(value + std::copysign(std::max(1., coarse), steps), range.min, range.max);
 }
@@ -290,7 +294,7 @@ bool number_beside(const ImRect& box, double value, const SliderRange& range) {
     ImGui::RenderFrame(box.Min, box.Max, ImGui::GetColorU32(hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg), true,
                        ImGui::GetStyle().FrameRounding);
     const float padding = ImGui::GetStyle().FramePadding.x * .5F;
-    std::string text = shown(value, range.min, range.max, range.integral);
+    std::string text = shown(value, range.min, range.max, is_whole(range.type));
     if (width_of(text) > box.GetWidth() - 2 * padding) text = fmt::format("{:.3g}", value);
     ImGui::RenderTextClipped({box.Min.x + padding, box.Min.y}, {box.Max.x - padding, box.Max.y}, text.data(),
                              text.data() + text.size(), nullptr, {1, .5F});
@@ -300,9 +304,9 @@ bool number_beside(const ImRect& box, double value, const SliderRange& range) {
 // Begins a drag, or opens the field at the second of two clicks.
 void press(ImGuiID id, double& value, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool twice = io.MouseDoubleClicked[0] && memory.id == id;
+    const bool twice = io.MouseDoubleClicked[0] && memory.id == id && !memory.dragged;
     if (twice) value = memory.before;
-    memory = {id, value, false, 0};
+    memory = {id, value};
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     ImGui::SetActiveID(id, window);
     ImGui::FocusWindow(window);
@@ -333,7 +337,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
     const bool hovered = ImGui::ItemHoverable(box, id);
     if (hovered && io.MouseClicked[0] && !is_typed(id)) press(id, value, memory);
     if (is_typed(id)) {
-        typed_field(whole, id, label, value, range.integral);
+        typed_field(whole, id, label, value, range.type);
         range.min = std::min(range.min, value);
         range.max = std::max(range.max, value);
         return value != before;
@@ -344,6 +348,8 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
     if (range.reset) value = initial;
     value = stepped(value, key_steps(id), range);
     if (ImGui::GetActiveID() == id) {
+        const float threshold = io.MouseDragThreshold;
+        memory.dragged = memory.dragged || io.MouseDragMaxDistanceSqr[0] > threshold * threshold;
         if (!io.MouseDown[0])
             ImGui::ClearActiveID();
         else if (range.min < range.max)

@@ -4,6 +4,8 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "src/plan/values/controls.h"
+
 namespace snell::ui {
 
 // Adds a value to the order of Tab. Call it for every value in the order on screen, also while it is scrolled out of
@@ -21,11 +23,11 @@ void type_number(ImGuiID id, double value);
 bool is_typed(ImGuiID id);
 // Draws the field in place of the widget. Returns true if the user entered another number: with Enter, with Tab, or by
 // leaving the field. A text that is not a number keeps the field open, or leaves the value as it was.
-bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, bool integral);
+bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type);
 
 struct NumberStyle {
     double speed = .01;  // per point of a drag, and per press of an arrow key
-    bool integral = false;
+    ValueType type = ValueType::float_;
     int digits = 5;
 };
 // Draws a field to type a number into, or to drag; see number().

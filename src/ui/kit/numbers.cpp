@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "parser/text/number.h"
+#include "src/plan/values/declared.h"
 
 namespace snell::ui {
 
@@ -144,18 +145,18 @@ std::optional<double> evaluated(std::string_view text) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<double> fitting(double value, bool integral) {
-    if (integral) {
-        value = std::round(value);
-        if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) return std::nullopt;
-    }
-    if (!(std::abs(value) <= std::numeric_limits<float>::max())) return std::nullopt;
-    return value;
+bool is_whole(ValueType type) {
+    return type == ValueType::int_ || type == ValueType::uint_ || type == ValueType::sampler;
 }
 
-std::optional<double> typed(std::string_view text, bool integral) {
+std::optional<double> fitting(double value, ValueType type) {
+    if (is_whole(type)) value = std::round(value);
+    return std::isfinite(value) && fit_to_type(value, type) == value ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> typed(std::string_view text, ValueType type) {
     const std::optional<double> found = evaluated(text);
-    return found ? fitting(*found, integral) : std::nullopt;
+    return found ? fitting(*found, type) : std::nullopt;
 }
 
 }  // namespace snell::ui

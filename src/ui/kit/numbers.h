@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "src/plan/values/controls.h"
+
 namespace snell::ui {
 
 // Formats a value with as many decimals as a thousandth of the range needs, but at least the four that glman shows.
@@ -23,10 +25,10 @@ double tidy_color(double value);
 // Computes the value of a text such as "1/3", "2*pi", "-(1e3-5)" or "0,7", in doubles. Returns nullopt if it is not a
 // number, or not finite.
 std::optional<double> evaluated(std::string_view text);
-// Returns the value that a control can have, or nullopt if it does not fit a float (with `integral`, a 32-bit integer,
-// to which fractions are rounded).
-std::optional<double> fitting(double value, bool integral);
+bool is_whole(ValueType type);
+// Returns the value that a control of that type can have, fractions rounded where it is whole; nullopt if it has none.
+std::optional<double> fitting(double value, ValueType type);
 // Does both for a text that a user typed.
-std::optional<double> typed(std::string_view text, bool integral);
+std::optional<double> typed(std::string_view text, ValueType type);
 
 }  // namespace snell::ui

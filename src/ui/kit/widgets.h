@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "src/plan/values/controls.h"
 #include "src/ui/kit/text.h"
 
 namespace snell::ui {
@@ -54,7 +55,7 @@ bool tab(const char* title, bool chosen, Layout& layout, const char* name);
 
 struct SliderRange {
     double min = 0, max = 1;
-    bool integral = false;
+    ValueType type = ValueType::float_;
     bool logarithmic = false;  // equal distances are equal ratios; needs min > 0
     bool reset = false;        // set by slider(): the user asked for the initial value
 };
@@ -64,20 +65,21 @@ struct SliderRange {
 struct SliderMemory {
     unsigned id = 0;
     double before = 0;
-    bool relative = false;  // Alt was pressed during this drag, so it continues relative to the knob's position
+    bool relative = false;  // Shift or Alt was pressed: the drag continues relative to the knob's position
+    bool dragged = false;   // it was no click
     double fraction = 0;    // position of that drag, before rounding
 };
 
-// Draws a slider and returns true if the value changed. Drag to move; with Alt a twentieth as fast. Double-click or
-// Ctrl-click to type; an entered number outside of the range widens it. Right-click to reset to `initial`. With the
-// keyboard's focus the arrow keys move it by a hundredth of the range. With `number_width` the value is shown at the
-// right, where a click edits it. It computes with fractions of the range in double, so any finite range works,
-// including equal ends and 1e300.
+// Draws a slider and returns true if the value changed. Drag to move; with Shift or Alt a twentieth as fast.
+// Double-click or Ctrl-click to type; an entered number outside of the range widens it. Right-click to reset to
+// `initial`. With the keyboard's focus the arrow keys move it by a hundredth of the range. With `number_width` the
+// value is shown at the right, where a click edits it. It computes with fractions of the range in double, so any finite
+// range works, including equal ends and 1e300.
 bool slider(const char* id, double& value, SliderRange& range, double initial, SliderMemory& memory,
             float number_width = 0);
 
 // Draws a field to type a number into, or to drag, for numbers without a range. Right-click to reset to `initial`.
-bool number(const char* id, double& value, bool integral, double initial, float width);
+bool number(const char* id, double& value, ValueType type, double initial, float width);
 
 // Draws a colour; `components` is 3 or 4: red, green, blue, alpha. Values outside of 0..1 are allowed. Picked colours
 // are rounded to what a byte can tell apart; typed numbers are not.

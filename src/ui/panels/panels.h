@@ -49,6 +49,6 @@ void files_keys(Memory& memory, Requests& requests);
 void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
                     Layout& layout);
 // Shows each message of a MessageBox statement until the user dismisses it.
-void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layout);
+void notices(const Facts& facts, const Rect& scene, Memory& memory, Requests& requests, Layout& layout);
 
 }  // namespace snell::ui

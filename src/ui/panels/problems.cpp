@@ -137,10 +137,11 @@ void problems_window(const Facts& facts, Severity severity, const Rect& scene, c
     ImGui::End();
 }
 
-// Shows a text above `bottom`, which moves up by its height. Returns true if the user dismisses it.
-bool message_box(std::string_view text, int index, const char* name, const Rect& scene, float& bottom, Layout& layout) {
+// Shows a text above `bottom`, which moves up by its height, and beside it what `buttons` draws.
+template <typename Buttons>
+void message_box(std::string_view text, const ImVec4& color, int index, const Rect& scene, float& bottom,
+                 float buttons_width, const Buttons& buttons) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
-    bool dismissed = false;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
@@ -148,15 +149,29 @@ bool message_box(std::string_view text, int index, const char* name, const Rect&
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
     if (ImGui::Begin(fmt::format("##message{}", index).c_str(), nullptr, overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
-        ImGui::PushTextWrapPos(width - button_width("OK") - 2 * margin);
+        ImGui::PushTextWrapPos(width - buttons_width - 2 * margin);
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
         ImGui::TextUnformatted(text.data(), text.data() + text.size());
+        ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
-        dismissed = right_button("OK", layout, name);
+        buttons();
     }
     bottom -= ImGui::GetWindowHeight() + margin * .5F;
     ImGui::End();
     ImGui::PopStyleVar(2);
-    return dismissed;
+}
+
+// Draws the failure; true if it is done with.
+bool failure_box(const Failure& failure, const Rect& scene, float& bottom, Requests& requests, Layout& layout) {
+    bool done = false;
+    message_box(failure.text, palette().error_text, 0, scene, bottom, button_width("OK"), [&] {
+        done = right_button("OK", layout, "failure.ok");
+        const bool reload = failure.remedy == Failure::Remedy::reload;
+        if (failure.remedy == Failure::Remedy::none) return;
+        if (!button(reload ? "Reload" : "Save as\u2026", layout, "failure.remedy")) return;
+        (reload ? requests.reload : requests.save_as) = done = true;
+    });
+    return done;
 }
 
 }  // namespace
@@ -177,16 +192,19 @@ void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, M
     pop_dark();
 }
 
-void notices(const Facts& facts, const Rect& scene, Memory& memory, Layout& layout) {
+void notices(const Facts& facts, const Rect& scene, Memory& memory, Requests& requests, Layout& layout) {
     if (!facts.scene) return;
     float bottom = scene.y + scene.height - ImGui::GetStyle().WindowPadding.x;
     int index = 0;
-    if (!memory.failure.empty() && message_box(memory.failure, index++, "failure.ok", scene, bottom, layout))
-        memory.failure.clear();
-    for (const Message& message : facts.scene->messages)
-        if (!memory.dismissed.contains(message.text) &&
-            message_box(message.text, index++, "message.ok", scene, bottom, layout))
-            memory.dismissed.insert(message.text);
+    if (!memory.failure.text.empty() && failure_box(memory.failure, scene, bottom, requests, layout))
+        memory.failure = {};
+    for (const Message& message : facts.scene->messages) {
+        if (memory.dismissed.contains(message.text)) continue;
+        message_box(message.text, ImGui::GetStyleColorVec4(ImGuiCol_Text), ++index, scene, bottom, button_width("OK"),
+                    [&] {
+                        if (right_button("OK", layout, "message.ok")) memory.dismissed.insert(message.text);
+                    });
+    }
 }
 
 }  // namespace snell::ui

@@ -34,10 +34,6 @@ struct Section {
 
 constexpr double default_period = 4;  // seconds
 
-bool is_integral(ValueType type) {
-    return type == ValueType::int_ || type == ValueType::uint_ || type == ValueType::sampler;
-}
-
 std::string key_of(const Control& control) { return fmt::format("{}.{}", control.program, control.name); }
 
 bool is_logarithmic(const Control& control, const Section& section) {
@@ -55,7 +51,7 @@ Text name_of(const Control& control, std::size_t component) {
 }
 
 Text shown_value(const Control& control, double value) {
-    return Text(shown(value, control.min, control.max, is_integral(control.type)));
+    return Text(shown(value, control.min, control.max, is_whole(control.type)));
 }
 
 void note_element(const Control& control, std::size_t i, const Section& section) {
@@ -121,8 +117,8 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
         stop(memory.animated, control, component);
         motion = nullptr;
         if (moving) {
-            memory.animated.push_back(animated_from(control, component, default_period, memory.clock.time));
-            memory.animated.back().logarithmic = is_logarithmic(control, section);
+            memory.animated.push_back(
+                animated_from(control, component, default_period, memory.clock.time, is_logarithmic(control, section)));
             memory.clock.paused = false;
         }
     }
@@ -130,7 +126,7 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
     if (!motion) return;
     label("there and back in");
     double period = motion->period;
-    if (number("##period", period, false, default_period, 4 * ImGui::GetFontSize()))
+    if (number("##period", period, ValueType::float_, default_period, 4 * ImGui::GetFontSize()))
         set_period(*motion, period, memory.clock.time);
     section.layout.note(control.name, "period");
     ImGui::SameLine();
@@ -168,7 +164,7 @@ void range_tip(const Control& control, std::size_t component, const Section& sec
 }
 
 void track(Control& control, std::size_t component, const Section& section) {
-    SliderRange range{control.min, control.max, is_integral(control.type), is_logarithmic(control, section)};
+    SliderRange range{control.min, control.max, control.type, is_logarithmic(control, section)};
     const bool changed = slider("##value", control.value[component], range, control.initial[component],
                                 section.memory.slider, section.number_width);
     note_element(control, component, section);
@@ -236,7 +232,7 @@ void numbers(Control& control, const Section& section) {
     for (std::size_t i = 0; i < control.value.size(); ++i) {
         if (i % columns != 0) ImGui::SameLine(0, gap);
         ImGui::PushID(static_cast<int>(i));
-        if (number("##value", control.value[i], is_integral(control.type), control.initial[i], width))
+        if (number("##value", control.value[i], control.type, control.initial[i], width))
             control.value[i] = fit_to_type(control.value[i], control.type);
         note_element(control, i, section);
         ImGui::PopID();
@@ -395,7 +391,13 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
     const bool filtered = section.memory.filter[0] != '\0';
     if (filtered && !any(controls, index, kept)) return;
     show_opened();
-    ImGui::PushID(static_cast<int>(index));
+    // By the scene and the name, so that no other scene's section is open or closed by it; as often as it occurs.
+    const std::vector<Program>& programs = section.facts.scene->programs;
+    const auto earlier = programs.begin() + static_cast<std::ptrdiff_t>(index);
+    ImGui::PushID(section.facts.files.empty() ? "" : section.facts.files[0].path.c_str());
+    ImGui::PushID(section.program.name.c_str());
+    ImGui::PushID(static_cast<int>(std::count_if(
+        programs.begin(), earlier, [&](const Program& program) { return program.name == section.program.name; })));
     if (header(controls, index, section, open_at_first)) {
         const ImGuiStyle& style = ImGui::GetStyle();
         const float indent = style.FramePadding.x * .5F;
@@ -422,7 +424,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
         ImGui::Unindent(indent);
         ImGui::PopStyleVar();
     }
-    ImGui::PopID();
+    for (int id = 0; id < 3; ++id) ImGui::PopID();
 }
 
 // Draws the filter above many sliders. Escape clears it.
@@ -480,13 +482,12 @@ void ladders_panel(const Facts& facts, Controls& controls, Layout& layout) {
 void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
     const std::vector<Program>& programs = facts.scene->programs;
     filter_row(controls, memory, layout);
-    bool slides = false;  // a slider was drawn in an earlier section
+    Index open = 0;  // at first: the first section that has sliders
+    while (open < programs.size() && !any(controls, open, sliding)) ++open;
+    if (open == programs.size()) open = 0;
     for (Index i = 0; i < programs.size(); ++i) {
-        // Opens the first section, and if it has no sliders, also the first that has.
-        const bool first_sliding = !slides && any(controls, i, sliding);
-        slides |= first_sliding;
         const bool linked = i < facts.linked.size() && facts.linked[i];
-        section_of(controls, i, {facts, programs[i], linked, memory, layout}, i == 0 || first_sliding);
+        section_of(controls, i, {facts, programs[i], linked, memory, layout}, i == open);
     }
     if (programs.empty()) ImGui::TextDisabled("The scene has no Program statement.");
 }

@@ -115,7 +115,7 @@ void row(const char* name, const char* help = nullptr) {
 }
 
 void whole(const char* id, double& value, double initial, Layout& layout, const char* name, double most) {
-    number(id, value, true, initial, 5 * ImGui::GetFontSize());
+    number(id, value, ValueType::int_, initial, 5 * ImGui::GetFontSize());
     value = std::clamp(std::round(value), 1., most);
     layout.note(name);
 }
@@ -150,15 +150,15 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
     if (!picture.sequence) return;
     const float field = 5 * ImGui::GetFontSize();
     row("Seconds");
-    number("##from", picture.from, false, 0, field);
+    number("##from", picture.from, ValueType::float_, 0, field);
     layout.note("picture from");
     ImGui::SameLine();
     ImGui::TextUnformatted("to");
     ImGui::SameLine();
-    number("##to", picture.to, false, 10, field);
+    number("##to", picture.to, ValueType::float_, 10, field);
     layout.note("picture to");
     row("Per second");
-    number("##rate", picture.rate, false, 25, field);
+    number("##rate", picture.rate, ValueType::float_, 25, field);
     picture.rate = std::clamp(picture.rate, 1e-3, 1e5);
     layout.note("picture rate");
     const int count = picture_count(picture);

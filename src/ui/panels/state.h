@@ -93,6 +93,13 @@ struct Clock {
 
 inline constexpr double hint_seconds = 4;
 
+// What the user asked for and did not get: it stays until it is dismissed, or done.
+struct Failure {
+    enum class Remedy : std::uint8_t { none, reload, save_as };
+    std::string text;
+    Remedy remedy = Remedy::none;  // what is offered beside OK
+};
+
 struct Memory {
     bool panel = true;  // false: only the picture is shown
     double hint = 0;    // seconds that the hint is shown that tells how to show the panel
@@ -113,8 +120,8 @@ struct Memory {
     bool animating() const { return !animated.empty(); }
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
     std::string notice;             // the outcome of the last request
-    std::string failure;            // why the last page is not saved; it stays until it is dismissed
-    bool labels = false;            // shows the values over the picture
+    Failure failure;
+    bool labels = false;  // shows the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
     bool costs = false;       // whether the costs panel is open

@@ -129,10 +129,10 @@ void range_row(TextureMemory& memory, Layout& layout) {
     label("range");
     tip("The values that are shown as black and as white");
     ImGui::SameLine(4 * ImGui::GetFontSize());
-    number("##low", memory.low, false, 0, field);
+    number("##low", memory.low, ValueType::float_, 0, field);
     layout.note("textures.low");
     follow(field);
-    number("##high", memory.high, false, 1, field);
+    number("##high", memory.high, ValueType::float_, 1, field);
     layout.note("textures.high");
 }
 

@@ -67,7 +67,7 @@ void fields(const char* name, std::initializer_list<Field> row, Transformation& 
             ImGui::SetCursorPosX(begin);
         ++at;
         ImGui::PushID(field.name);
-        number("##value", t.*field.value, false, Transformation{}.*field.value, std::max(1.0F, width));
+        number("##value", t.*field.value, ValueType::float_, Transformation{}.*field.value, std::max(1.0F, width));
         tip(field.name);
         layout.note("view", field.name);
         ImGui::PopID();
@@ -149,13 +149,13 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
     if (next_button("0", layout, "rewind")) clock.time = 0;
     follow(width_of("speed") + 5 * ImGui::GetFontSize());
     label("speed");
-    number("##speed", clock.speed, false, 1, -FLT_MIN);
+    number("##speed", clock.speed, ValueType::float_, 1, -FLT_MIN);
     clock.speed = std::clamp(clock.speed, -1e3, 1e3);
     layout.note("speed");
 
     const double period = std::max(facts.scene->timer_period, 1e-3);
     label("t =");
-    if (number("##time", clock.time, false, 0, 6 * ImGui::GetFontSize())) clock.paused = true;
+    if (number("##time", clock.time, ValueType::float_, 0, 6 * ImGui::GetFontSize())) clock.paused = true;
     layout.note("time");
     ImGui::SameLine();
     double within = clock.time - std::floor(clock.time / period) * period;

@@ -20,6 +20,14 @@ namespace {
 
 std::string short_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
+// Names the files of the scene's folder alone.
+std::string without_folder(std::string text, const std::string& scene) {
+    const std::string folder = std::filesystem::path(scene).parent_path().string() + "/";
+    for (std::size_t at = 0; folder.size() > 1 && (at = text.find(folder, at)) != std::string::npos;)
+        text.erase(at, folder.size());
+    return text;
+}
+
 std::string restore(int number, Document& document) {
     const Restored restored = restore_snapshot(number, document);
     if (!restored.error.empty()) return restored.error;
@@ -54,11 +62,11 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
                              ui::Memory& memory) {
     Served served;
     std::string& notice = memory.notice;
-    if (requests.save) notice = save(document, served);
+    if (requests.save) save(document, memory, served);
     if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
     if (requests.save_as_now) save_as(document, memory.save_as, served);
     if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
-    if (requests.store_snapshot > 0) notice = store(requests.store_snapshot, document, served);
+    if (requests.store_snapshot > 0) store(requests.store_snapshot, document, memory, served);
     if (requests.copy_command) {
         const std::string command = render_command(document, picture);
         window.set_clipboard(command);
@@ -67,11 +75,20 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
     return served;
 }
 
-std::string Keeper::save(const Document& document, Served& served) {
+void Keeper::save(const Document& document, ui::Memory& memory, Served& served) {
     Saved saved = saved_values(document);
+    const bool changed = !saved.error.empty();  // by another program, or it is gone
     if (saved.error.empty()) saved.error = write_saved(saved.files);
-    if (!saved.error.empty()) return "not saved: " + saved.error;
-    std::string notice = saved.files.empty() ? "nothing to save" : ui::counted(saved.values, "value") + " saved to";
+    if (!saved.error.empty()) {
+        std::error_code unknown;
+        const bool there = std::filesystem::exists(document.path, unknown);
+        memory.failure = {"not saved: " + without_folder(std::move(saved.error), document.path),
+                          changed && there ? ui::Failure::Remedy::reload : ui::Failure::Remedy::save_as};
+        return;
+    }
+    memory.failure = {};
+    std::string& notice = memory.notice;
+    notice = saved.files.empty() ? "nothing to save" : ui::counted(saved.values, "value") + " saved to";
     served.what = "save to";
     for (const SavedFile& file : saved.files) {
         notice += " " + short_name(file.path);
@@ -79,17 +96,19 @@ std::string Keeper::save(const Document& document, Served& served) {
     }
     for (const Unwritten& value : saved.unwritten) notice += fmt::format("\nnot {}: {}", value.name, value.reason);
     served.files = std::move(saved.files);
-    return notice;
 }
 
-std::string Keeper::store(int number, const Document& document, Served& served) {
+void Keeper::store(int number, const Document& document, ui::Memory& memory, Served& served) {
     const std::string file = snapshots_file(scene_);
     const std::string before = content::whole_file(file), error = store_snapshot(number, document);
     look_again();
-    if (!error.empty()) return fmt::format("snapshot {} is not in {}: {}", number, short_name(file), error);
+    if (!error.empty()) {
+        memory.failure = {fmt::format("snapshot {} is not in {}: {}", number, short_name(file), error)};
+        return;
+    }
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
-    return fmt::format("snapshot {} is in {}", number, short_name(file));
+    memory.notice = fmt::format("snapshot {} is in {}", number, short_name(file));
 }
 
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files) {

@@ -37,13 +37,13 @@ public:
         std::vector<SavedFile> files;
         std::string saved_as;  // path of the scene that was saved under another name
     };
-    // Executes the requests and sets `memory.notice` to their outcome.
+    // Executes the requests and sets `memory.notice`, or `memory.failure`, to their outcome.
     Served serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
                  ui::Memory& memory);
 
 private:
-    static std::string save(const Document& document, Served& served);
-    std::string store(int number, const Document& document, Served& served);
+    static void save(const Document& document, ui::Memory& memory, Served& served);
+    void store(int number, const Document& document, ui::Memory& memory, Served& served);
 
     std::string scene_;
     std::array<bool, ui::snapshot_count + 1> snapshots_{};
