@@ -73,7 +73,7 @@ def small(command):
     if words[1] not in SUBCOMMANDS:
         return "snell check " + next(word for word in words if word.endswith(".glib"))
     less = {"render": {"--size": "48x36"}, "sweep": {"--size": "48x36"}, "explain": {"--size": "48x36", "--reps": "3"},
-            "accuracy": {"--size": "16x12", "--no-time": "", "--no-found": "", "--budget": "10"}}.get(words[1], {})
+            "accuracy": {"--size": "16x12", "--no-time": "", "--no-found": "", "--budget": "2"}}.get(words[1], {})
     if {"--list-found", "--apply"} & set(words):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):

@@ -94,7 +94,10 @@ def build(tree, folder, targets):
 
 def passes(tree, folder, mutation):
     """Whether the tests pass, and each of the mutation's hard cases, if it has any."""
-    command = [folder / "bin" / mutation.target, f"--gtest_filter={mutation.filter}", "--gtest_brief=1"]
+    program = folder / "bin" / mutation.target
+    command = [program, f"--gtest_filter={mutation.filter}", "--gtest_brief=1"]
+    if mutation.filter.endswith(".py"):
+        command = [sys.executable, "-B", "-W", "ignore", tree / mutation.filter, program]
     try:
         done = subprocess.run(command, cwd=tree, capture_output=True, text=True, errors="replace", timeout=SECONDS,
                               env={**os.environ, "LP_NUM_THREADS": "0"})
