@@ -52,6 +52,27 @@ TEST_F(Assign, TellsNumbersThatDoNotFitFromWords) {
     EXPECT_EQ(diagnostics.items()[0].message, "the value '1e' of 'uMix' is not a number");
 }
 
+TEST_F(Assign, ElementsOfArrays) {
+    controls.items.push_back(controls.items[0]);
+    Control& array = controls.items.back();
+    array.name = "uGain";
+    array.widget = Widget::none;
+    array.components = 2;
+    array.array_size = 3;
+    array.value = array.initial = {1, 2, 3, 4, 5, 6};
+    EXPECT_TRUE(set("uGain[1]=7,8"));
+    EXPECT_EQ(value(0, "uGain"), (Values{1, 2, 7, 8, 5, 6}));
+    EXPECT_TRUE(set("Glass.uGain[0]=0 0"));
+    EXPECT_EQ(value(0, "uGain"), (Values{0, 0, 7, 8, 5, 6}));
+    EXPECT_FALSE(set("uGain[1]=7"));
+    EXPECT_EQ(diagnostics.items()[0].message, "'uGain[1]' takes 2 numbers, not 1");
+    EXPECT_FALSE(set("uGain[3]=7,8"));
+    EXPECT_EQ(diagnostics.items()[0].help, "'uGain' has the elements uGain[0] to uGain[2]");
+    for (const char* wrong : {"uGain[-1]=1,1", "uGain[]=1,1", "uGain[1=1,1", "uGain[1]x=1,1", "uGain.g=1"})
+        EXPECT_FALSE(set(wrong)) << wrong;
+    EXPECT_EQ(value(0, "uGain"), (Values{0, 0, 7, 8, 5, 6}));
+}
+
 TEST_F(Assign, EveryProgramOrOne) {
     EXPECT_TRUE(set("uEta=1.3"));
     EXPECT_EQ(value(0, "uEta"), Values{1.3});

@@ -95,8 +95,8 @@ TEST(Resolve, SuggestsFilesOfTheRightKind) {
     const Scratch folder;
     for (const char* name : {"room.glib", "room.vert", "room.frag", "room.obj", "glass.vert.glsl", "glass.frag.glsl",
                              "noise.txt", "rooms.bmp", "posy.bmp", "negx.bmp", "earth_map.png"})
-        folder.write(name, "x");
-    const Files files(folder.path());
+        folder.write(std::string("alone/") + name, "x");  // neighbours of the folder are looked at, too
+    const Files files(folder.path("alone"));
     const std::vector<std::string_view> vert{"vert", "vs", "vert.glsl", "glsl"},
         frag{"frag", "fs", "frag.glsl", "glsl"};
     const std::vector<std::string_view> image{"bmp", "png"}, obj{"obj"}, geom{"geom", "gs", "glsl"}, scene{"glib"};

@@ -107,6 +107,15 @@ TEST_F(Language, ElementsOfArraysHaveSliders) {
     EXPECT_EQ(second->array_size, 1);
     EXPECT_TRUE(near(draw(*document).center(), {51, 102, 0, 255}));
     EXPECT_TRUE(near(draw(*document, {.sets = {"uGain[1]=.6", "uGain[2]=.8"}}).center(), {51, 153, 204, 255}));
+    EXPECT_TRUE(near(draw(*document, {.sets = {"uGain=1 .8 .6 .4"}}).center(), {255, 204, 153, 255}));
+    const std::string line = std::string(square) + "Vertex plain.vert\nFragment few.frag\nProgram T ";
+    auto both = open(line + "uGain [.2 .4 0. 0.] uGain[1] <0. .6 1.>\nQuadXY\n");
+    EXPECT_TRUE(has(*both, "element-without-slider"));
+    EXPECT_TRUE(near(draw(*both).center(), {51, 153, 0, 255}));
+    EXPECT_TRUE(near(draw(*both, {.sets = {"uGain[0]=1"}}).center(), {255, 153, 0, 255}));
+    auto beyond = open(line + "uGain[4] <0. .6 1.>\nQuadXY\n");
+    EXPECT_NE(render(beyond->diagnostics, beyond->sources).find("'uGain' is a float[4], which has no '[4]'"),
+              std::string::npos);
 }
 
 TEST_F(Language, MembersOfArraysOfStructuresHaveValues) {

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "parser/text/number.h"
 #include "parser/text/words.h"
@@ -86,22 +88,50 @@ std::vector<Control*> named(Controls& controls, const Scene& scene, std::string_
     return found;
 }
 
-// The component that a name such as "uColor.g" selects, here 1; nullopt for other names.
-std::optional<std::size_t> component_of(std::string_view name) {
-    if (name.size() < 3 || name[name.size() - 2] != '.') return std::nullopt;
+// The numbers of a control that a name means.
+struct Selected {
+    std::size_t first = 0, count = 0;
+};
+
+struct Target {
+    Control* control;
+    Selected part;
+};
+
+// The component that an ending such as ".g" selects, here 1; nullopt for others.
+std::optional<std::size_t> component_of(std::string_view ending) {
+    if (ending.size() != 2 || ending[0] != '.') return std::nullopt;
     for (const std::string_view letters : {"xyzw", "rgba"})
-        if (const std::size_t at = letters.find(name.back()); at != std::string_view::npos) return at;
+        if (const std::size_t at = letters.find(ending[1]); at != std::string_view::npos) return at;
     return std::nullopt;
 }
 
-// The vectors that have the component that `name` selects.
-std::vector<Control*> named_vectors(Controls& controls, const Scene& scene, std::string_view name) {
-    std::vector<Control*> found = named(controls, scene, name.substr(0, name.size() - 2));
-    const std::size_t component = *component_of(name);
-    std::erase_if(found, [&](const Control* control) {
-        return control->type == ValueType::matrix || control->array_size > 1 || control->components < 2 ||
-               component >= control->value.size();
-    });
+// What an ending such as ".g" or "[2]" selects of the control; nullopt if it has no such part.
+std::optional<Selected> part_of(const Control& control, std::string_view ending) {
+    if (const auto component = component_of(ending)) {
+        const bool vector = control.type != ValueType::matrix && control.array_size == 1 && control.components > 1;
+        return vector && *component < control.value.size() ? std::optional(Selected{*component, 1}) : std::nullopt;
+    }
+    if (ending.size() < 3 || ending.front() != '[' || ending.back() != ']' || control.array_size < 2)
+        return std::nullopt;
+    std::size_t index = 0;
+    const char* const last = ending.data() + ending.size() - 1;
+    const auto [end, error] = std::from_chars(ending.data() + 1, last, index);
+    if (error != std::errc() || end != last || index >= static_cast<std::size_t>(control.array_size))
+        return std::nullopt;
+    const auto each = static_cast<std::size_t>(control.components);
+    return Selected{each * index, each};
+}
+
+// What `name` means: whole uniforms; else a component or an element of them.
+std::vector<Target> targets_of(Controls& controls, const Scene& scene, std::string_view name) {
+    std::vector<Target> found;
+    for (Control* control : named(controls, scene, name)) found.push_back({control, {0, control->value.size()}});
+    const std::size_t ending = name.find_last_of(".[");
+    if (!found.empty() || ending == std::string_view::npos) return found;
+    for (Control* control : named(controls, scene, name.substr(0, ending)))
+        if (const std::optional<Selected> part = part_of(*control, name.substr(ending)))
+            found.push_back({control, *part});
     return found;
 }
 
@@ -119,20 +149,26 @@ void report_unknown(const Controls& controls, const Scene& scene, std::string_vi
         near = nearest(name, std::vector<std::string_view>(full.begin(), full.end()));
     }
     std::string help = near.empty() ? std::string() : fmt::format("did you mean '{}'?", near);
+    for (const Control& control : controls.items)
+        if (control.array_size > 1 && name.ends_with(']') && name.find(control.name + "[") != std::string_view::npos)
+            help = fmt::format("'{}' has the elements {}[0] to {}[{}]", control.name, control.name, control.name,
+                               control.array_size - 1);
     if (help.empty() && names.empty()) help = "the scene has no uniforms to set";
     diagnostics.error("unknown-uniform-name", fmt::format("there is no uniform '{}'", name), std::move(help));
 }
 
-// Converts the numbers to the control's type; returns nullopt and reports an error if they do not fit.
-std::optional<std::vector<double>> fitted(const Control& control, std::vector<double> values,
-                                          Diagnostics& diagnostics) {
-    if (control.widget == Widget::color && control.components == 4 && values.size() == 3) values.resize(4, 1);
-    if (values.size() != control.value.size()) {
-        diagnostics.error("uniform-value-count",
-                          fmt::format("'{}' takes {} {}, not {}", control.name, control.value.size(),
-                                      control.value.size() == 1 ? "number" : "numbers", values.size()));
+// The control's numbers with these in place of a part, converted to its type; returns nullopt and reports an error if
+// they do not fit. `name` is what the user calls the part.
+std::optional<std::vector<double>> fitted(const Control& control, const Selected& part, std::string_view name,
+                                          std::vector<double> given, Diagnostics& diagnostics) {
+    if (control.widget == Widget::color && part.count == 4 && given.size() == 3) given.resize(4, 1);
+    if (given.size() != part.count) {
+        diagnostics.error("uniform-value-count", fmt::format("'{}' takes {} {}, not {}", name, part.count,
+                                                             part.count == 1 ? "number" : "numbers", given.size()));
         return std::nullopt;
     }
+    std::vector<double> values = control.value;
+    std::copy(given.begin(), given.end(), values.begin() + static_cast<std::ptrdiff_t>(part.first));
     const bool real = control.type == ValueType::float_ || control.type == ValueType::matrix;
     for (double& value : values) {
         const double kept = fit_to_type(value, control.type);
@@ -160,6 +196,17 @@ void assign(Control& control, std::vector<double> values) {
 
 }  // namespace
 
+namespace {
+
+// The number of elements of an array whose elements have controls of their own; 0: the name is none's.
+std::size_t elements_of(Controls& controls, const Scene& scene, std::string_view name) {
+    std::size_t count = 0;
+    while (!named(controls, scene, fmt::format("{}[{}]", name, count)).empty()) ++count;
+    return count;
+}
+
+}  // namespace
+
 bool set_control(Controls& controls, const Scene& scene, std::string_view assignment, Diagnostics& diagnostics) {
     const std::size_t equals = assignment.find('=');
     const std::string_view name = trimmed(assignment.substr(0, equals));
@@ -168,21 +215,29 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
                           "write uniform=value or Program.uniform=value");
         return false;
     }
-    std::vector<Control*> targets = named(controls, scene, name);
-    const std::optional<std::size_t> component = targets.empty() ? component_of(name) : std::nullopt;
-    if (component) targets = named_vectors(controls, scene, name);
+    std::string bad;
+    const std::optional<std::vector<double>> values = numbers(assignment.substr(equals + 1), bad);
+    const std::size_t elements = elements_of(controls, scene, name);
+    if (values && elements > 0 && values->size() % elements == 0) {
+        const std::size_t each = values->size() / elements;
+        for (std::size_t i = 0; i < elements; ++i) {
+            const std::span<const double> part = std::span(*values).subspan(i * each, each);
+            if (!set_control(controls, scene, fmt::format("{}[{}]={}", name, i, fmt::join(part, ",")), diagnostics))
+                return false;
+        }
+        return true;
+    }
+    std::vector<Target> targets = targets_of(controls, scene, name);
     if (targets.empty()) {
         report_unknown(controls, scene, name, diagnostics);
         return false;
     }
     // A control that no program uses is set only if no used one has the name.
-    if (std::any_of(targets.begin(), targets.end(), [](const Control* c) { return c->active; })) {
-        std::erase_if(targets, [](const Control* c) { return !c->active; });
+    if (std::any_of(targets.begin(), targets.end(), [](const Target& t) { return t.control->active; })) {
+        std::erase_if(targets, [](const Target& t) { return !t.control->active; });
     } else {
         diagnostics.warning("inactive-uniform", fmt::format("no program uses '{}', so setting it has no effect", name));
     }
-    std::string bad;
-    const std::optional<std::vector<double>> values = numbers(assignment.substr(equals + 1), bad);
     if (!values || values->empty()) {
         diagnostics.error("bad-value", values ? fmt::format("the value of '{}' is missing", name)
                                               : fmt::format("the value '{}' of '{}' is not a number{}", bad, name,
@@ -190,20 +245,13 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
         return false;
     }
     std::vector<std::vector<double>> each;
-    for (const Control* control : targets) {
-        std::vector<double> wanted = *values;
-        if (component && wanted.size() == 1) {
-            wanted = control->value;
-            wanted[*component] = values->front();
-        } else if (component) {
-            diagnostics.error("uniform-value-count", fmt::format("'{}' takes 1 number, not {}", name, values->size()));
-            return false;
-        }
-        std::optional<std::vector<double>> fit = fitted(*control, std::move(wanted), diagnostics);
+    for (const auto& [control, part] : targets) {
+        const std::string_view called = part.count == control->value.size() ? std::string_view(control->name) : name;
+        std::optional<std::vector<double>> fit = fitted(*control, part, called, *values, diagnostics);
         if (!fit) return false;
         each.push_back(std::move(*fit));
     }
-    for (std::size_t i = 0; i < targets.size(); ++i) assign(*targets[i], std::move(each[i]));
+    for (std::size_t i = 0; i < targets.size(); ++i) assign(*targets[i].control, std::move(each[i]));
     return true;
 }
 

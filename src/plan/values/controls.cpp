@@ -119,6 +119,11 @@ private:
             take_type(*control, array);
         }
         const bool range = written.kind == Kind::range && written.values.size() > 2;
+        if (range)
+            diagnostics_.warning("element-without-slider", written.span,
+                                 fmt::format("'{}' gets no slider, as '{}' has its values in one, too", written.name,
+                                             base_name(array.name)),
+                                 "give each element a value of its own instead");
         const std::vector<double> values = range ? std::vector{written.values[1]} : written.values;
         const auto each = static_cast<std::size_t>(control->components);
         const std::size_t first = each * element.index, room = control->value.size() - first;
@@ -146,7 +151,10 @@ private:
         if (declared != nullptr && declared->span.begin == declared->span.end) declared = nullptr;
         if (active.empty() && declared == nullptr) return;  // the program failed
         if (const ActiveUniform* array = find_active(active, base); array != nullptr && !laddered) {
-            report_unknown(written, fmt::format("'{}' is a {}, which has no '{}'", base, type_name(*array),
+            const bool apart = declared != nullptr && declared->array_size > array->array_size;  // by elements
+            const std::string type =
+                apart ? fmt::format("{}[{}]", declared->glsl_type, declared->array_size) : type_name(*array);
+            report_unknown(written, fmt::format("'{}' is a {}, which has no '{}'", base, type,
                                                 std::string_view(written.name).substr(base.size())));
             return;
         }
