@@ -137,7 +137,8 @@ TEST(Controls, ElementsOfAnArrayAreOneControl) {
     EXPECT_EQ(controls.find(0, "weights")->value, (Values{5, .2, 7, .4}));
     EXPECT_EQ(controls.find(0, "weights")->initial, controls.find(0, "weights")->value);
     EXPECT_EQ(controls.find(0, "lights")->value, (Values{0, 0, 0, 1, 2, 3}));
-    EXPECT_EQ(codes_of(diagnostics), (Codes{"element-without-slider", "unknown-uniform"})) << "there is no fifth element";
+    EXPECT_EQ(codes_of(diagnostics), (Codes{"element-without-slider", "unknown-uniform"}))
+        << "there is no fifth element";
 }
 
 TEST(Controls, ColorsGainAndLoseAlpha) {
