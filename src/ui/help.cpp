@@ -36,7 +36,7 @@ std::span<const KeyRow> key_rows() {
         {"F1", "show this list"},
         {"Tab; with Shift", "go to the next value; to the previous one", "Values"},
         {"arrow keys; with Shift; Page keys", "change that value: in steps; fine; coarse"},
-        {"Enter; Esc", "type that value, and apply it; restore the old one"},
+        {"Enter; Esc", "type that value, or switch it; restore the old one"},
         {"slider: double click or Ctrl click", "type a number"},
         {"slider: right click; Shift or Alt drag", "reset to the scene's value; fine adjustment"},
         {"slider: right click on its name", "reset, logarithmic scale, animation"},

@@ -160,6 +160,23 @@ TEST_F(Values, TabGoesThroughTheValuesInTheOrderOnScreen) {
     EXPECT_EQ(value(4), 7.5) << "and back";
 }
 
+TEST_F(Values, TabReachesCheckBoxesWhichEnterSwitches) {
+    add_slider("uA", 0, .1, 9);
+    add_slider("uOn", 0, 0, 1, ValueType::bool_).widget = Widget::check_box;
+    add_slider("uB", 0, .2, 9);
+    open("Glass.uA");
+    press(Key::tab);
+    press(Key::enter);
+    EXPECT_EQ(value(1), 1);
+    press(Key::enter);
+    EXPECT_EQ(value(1), 0);
+    press(Key::enter);
+    press(Key::tab);
+    press(Key::right);
+    EXPECT_EQ(value(1), 1);
+    EXPECT_GT(value(2), .2) << "the next one has the focus";
+}
+
 TEST_F(Values, TabStaysWithWhatIsNoNumber) {
     add_slider("uA", 0, .1, 9);
     add_slider("uB", 0, .2, 9);

@@ -12,6 +12,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/plan/values/declared.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
@@ -244,7 +245,13 @@ void check_box(Control& control, const Section& section) {
     bool on = control.value[0] != 0;
     Text name = shortened(control.name, ImGui::GetContentRegionAvail().x - check_box_width(""));
     const bool whole = name == control.name;
-    if (ImGui::Checkbox(name.append("###on").c_str(), &on)) control.value[0] = on ? 1 : 0;
+    const bool clicked = ImGui::Checkbox(name.append("###on").c_str(), &on);
+    const ImRect box(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    const ImGuiID id = ImGui::GetItemID();
+    if (clicked) take_focus(id);
+    const bool switched = focusable(box, id) && pressed(Key::enter) && !ImGui::GetIO().WantTextInput;
+    draw_focus(box, id);
+    if (clicked || switched) control.value[0] = on != switched ? 1 : 0;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) reset(control);
     if (!whole) tip(control.name);
     section.layout.note(section.program.name, control.name);
