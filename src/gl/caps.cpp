@@ -65,4 +65,9 @@ Caps query_caps() {
     return caps;
 }
 
+void leave_stages(Caps& caps) {
+    caps.geometry = caps.tessellation = false;
+    if (caps.es) caps.glsl = 300;
+}
+
 }  // namespace snell::gl

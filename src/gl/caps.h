@@ -21,5 +21,7 @@ struct Caps {
 
 // Queries the context that is current.
 Caps query_caps();
+// As if it had no more stages than OpenGL ES 3.0.
+void leave_stages(Caps& caps);
 
 }  // namespace snell::gl

@@ -14,6 +14,9 @@ bool is_desktop();  // OpenGL, and not OpenGL ES
 int version();      // 45 for 4.5
 bool has_extension(const char* name);
 
+// Copies the beginning of the buffer that is bound, once all that writes it is done.
+void read_buffer(GLenum target, std::size_t bytes, void* into);
+
 // Detects that the driver has reset the context.
 
 // True if the driver has reset the context, after a shader that did not end or a fault of its own. Everything drawn

@@ -124,12 +124,18 @@ Compiled compile(GLenum stage, std::string_view text) {
     return result;
 }
 
-Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes) {
+Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes,
+            const std::vector<std::string>& written) {
     Linked result;
     Program program(glCreateProgram());
     for (const Shader* shader : shaders) glAttachShader(program.get(), shader->get());
     for (const AttributeLocation& attribute : attributes)
         glBindAttribLocation(program.get(), attribute.location, std::string(attribute.name).c_str());
+    std::vector<const GLchar*> names;
+    for (const std::string& name : written) names.push_back(name.c_str());
+    if (!names.empty())
+        glTransformFeedbackVaryings(program.get(), static_cast<GLsizei>(names.size()), names.data(),
+                                    GL_INTERLEAVED_ATTRIBS);
     glLinkProgram(program.get());
     GLint ok = 0;
     glGetProgramiv(program.get(), GL_LINK_STATUS, &ok);

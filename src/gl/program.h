@@ -24,8 +24,9 @@ struct Linked {
     Program program;  // empty if linking failed
     std::string log;
 };
-// Links shaders with fixed locations of attributes.
-Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes);
+// Links shaders with fixed locations of attributes. `written`: the outputs that transform feedback writes, interleaved.
+Linked link(const std::vector<const Shader*>& shaders, const std::vector<AttributeLocation>& attributes,
+            const std::vector<std::string>& written = {});
 
 // True if the driver gives the code that it makes of programs. Mesa does if it caches shaders.
 bool gives_binaries();

@@ -94,17 +94,22 @@ private:
 // in every context.
 class AnySamples {
 public:
-    void begin() const { glBeginQuery(GL_ANY_SAMPLES_PASSED, query_.get()); }
+    // May begin again after its end: all draws in between count.
+    void begin() {
+        queries_.emplace_back(make(glGenQueries));
+        glBeginQuery(GL_ANY_SAMPLES_PASSED, queries_.back().get());
+    }
     void end() const { glEndQuery(GL_ANY_SAMPLES_PASSED); }
     // Waits for the draws.
     bool passed() const {
         GLuint any = 0;
-        glGetQueryObjectuiv(query_.get(), GL_QUERY_RESULT, &any);
+        for (auto query = queries_.begin(); any == 0 && query != queries_.end(); ++query)
+            glGetQueryObjectuiv(query->get(), GL_QUERY_RESULT, &any);
         return any != 0;
     }
 
 private:
-    Query query_{make(glGenQueries)};
+    std::vector<Query> queries_;
 };
 
 // Measures the GPU's time between begin() and end() with a timer query, if the context has one.

@@ -79,6 +79,8 @@ struct Options {
     bool wide_lines = false;
     // gl_FragCoord is that of the whole picture where only a part of it is drawn: `snell_Place` is added.
     bool placed = false;
+    // The context has no geometry stage: see Translation::emulated.
+    bool without_geometry = false;
     // A number or truth value that is written as a constant: to see what drivers make of its values, never to draw.
     std::optional<Settled> constant;
     int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
@@ -117,9 +119,33 @@ struct RenamedUniform {
     std::string name, shader_name;
 };
 
+// A vertex and a geometry stage as two vertex shaders, whose outputs transform feedback writes to buffers, for contexts
+// that have no geometry stage (forms/geometry.cpp). `count` runs once for each primitive and invocation, and tells how
+// many vertices are emitted and where strips end. `capture` runs for every `vertices` of them, beginning at the one
+// that its attribute `snell_Slot` (location 0) names after the number of the invocation, and writes all that they
+// output.
+struct EmulatedGeometry {
+    StageOutput count, capture;
+    std::vector<std::string> counted, captured;  // what transform feedback writes, interleaved
+    std::string input, output;                   // primitives, as layouts name them
+    int corners = 3;                             // vertices of an input primitive
+    int invocations = 1;
+    int vertices = 1;            // that one run of `capture` writes
+    std::vector<bool> integral;  // of the slots of one vertex, four components each: whole numbers
+};
+// What these shaders read: texels of the mesh's attributes, `stage_attributes` of each vertex in the order of
+// Attribute; the indices of its primitives, four a texel; the first primitive of the draw, and whether the mesh has
+// colours.
+inline constexpr std::string_view stage_vertices = "snell_StageVertices", stage_primitives = "snell_StagePrimitives",
+                                  stage_range = "snell_StageRange";
+inline constexpr int stage_attributes = 5;
+
 struct Translation {
     bool ok = false;  // false: diagnostics hold at least one error
     std::vector<StageOutput> stages;
+    // Where Options::without_geometry replaced a geometry stage. The vertex shader among `stages` hands on what was
+    // captured: its attributes are the slots, by their numbers.
+    std::optional<EmulatedGeometry> emulated;
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
     std::vector<DeclaredUniform> declared;  // stage by stage, as the texts declare them; each once

@@ -334,6 +334,8 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     bind_harmonics(ready, pass, loading.diagnostics);
     bind_tree(ready, loaded ? &*loaded : nullptr, loading);
     ready.controls = controls_of(draw.program, *ready.program);
+    if (!ready.program->parts.empty()) ready_stages(ready, loaded ? &*loaded : nullptr, loading);
+    if (!ready.program->parts.empty() && !meshes[ready.mesh]->stages) return std::nullopt;
     return ready;
 }
 

@@ -10,6 +10,7 @@
 #include "src/gl/target.h"
 #include "src/runtime/resources/mesh.h"
 #include "src/runtime/resources/program.h"
+#include "src/runtime/resources/stages.h"
 #include "src/runtime/resources/state.h"
 #include "src/runtime/resources/textures.h"
 #include "src/runtime/resources/uniforms.h"
@@ -67,6 +68,8 @@ struct ReadyDraw {
     std::vector<Index> sources;                     // cube maps that what it samples is computed from
     const content::Harmonics* harmonics = nullptr;  // where the program reads them
     std::vector<Index> controls;                    // of the program's uniforms, as LinkedProgram::user
+    std::vector<std::vector<Index>> part_controls;  // of those of LinkedProgram::parts
+    std::shared_ptr<StageDraw> stages;              // where the program has parts
 };
 
 // An item that reads what another pass renders.
@@ -194,6 +197,7 @@ struct Runtime::Impl {
     void preload_meshes(Loading& loading, std::vector<runtime::Job>& jobs);
     LoadedMesh take_mesh(Index mesh, Loading& loading);
     void ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading);
+    void ready_stages(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
     void bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
     void make_tree(runtime::GpuTree& tree, const content::Mesh& mesh, const std::array<bool, runtime::tree_parts>& read,
                    Index draw, Diagnostics& diagnostics);
@@ -262,6 +266,7 @@ struct Runtime::Impl {
     void draw_face(Index pass, int face, const Frame& frame);
     void finish_pass(Index pass);
     void draw_items(Index pass, const Frame& frame, PassView& view);
+    Vec4 draw_color(const runtime::ReadyDraw& ready) const;
     void set_up(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_one(const runtime::ReadyDraw& ready, const Frame& frame, PassView& view);
     void draw_mesh(const runtime::ReadyDraw& ready);
@@ -345,6 +350,7 @@ struct Runtime::Impl {
     mutable std::optional<Fitted> fitted;     // none: what is drawn is another
     std::shared_ptr<runtime::Picker> picker;  // from the first pick on
     runtime::State state;
+    std::optional<gl::AnySamples> samples;  // while draws of the window are watched
     bool animated = false, mouse = false;
     bool settled = true;  // as of the last frame
     bool parts = false;   // programs are those for parts of pictures

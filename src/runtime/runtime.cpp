@@ -235,12 +235,12 @@ void Runtime::Impl::draw_window(Index pass, const Frame& frame, const Surface& s
     if (first) clear(view.background, view.region);
     if (passes[pass].items.empty()) return;
     state.forget();
-    std::optional<gl::AnySamples> samples;
     if (frame.reached != nullptr && !*frame.reached) samples.emplace().begin();
     draw_items(pass, frame, view);
     if (samples) {
         samples->end();
         *frame.reached = samples->passed();
+        samples.reset();
     }
     ++counters.passes;
 }
@@ -382,22 +382,30 @@ void Runtime::Impl::draw_one(const ReadyDraw& ready, const Frame& frame, PassVie
     draw_mesh(ready);
 }
 
+Vec4 Runtime::Impl::draw_color(const ReadyDraw& ready) const {
+    const Draw& draw = plan.scene.draws[ready.draw];
+    return draw.color == none ? Vec4{1, 1, 1, 1} : plan.scene.colors[draw.color];
+}
+
 // Sets everything that a draw needs.
 void Runtime::Impl::set_up(const ReadyDraw& ready, const Frame& frame, PassView& view) {
     const Draw& draw = plan.scene.draws[ready.draw];
     LinkedProgram& program = *ready.program;
     DrawContext& context = this->context(ready.draw, frame, view);
     if (!savings) state.forget();
-    state.program(program.program.get());
-    if (program.blocks) glBindBufferBase(GL_UNIFORM_BUFFER, 0, program.blocks.get());
     context.harmonics = ready.harmonics;
-    const int uploads = runtime::set_system(program, context, !savings) +
-                        (draw.program == none ? 0 : runtime::set_user(program, ready.controls, *values, !savings));
-    counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
+    program.in_turn([&](LinkedProgram& part, std::size_t i) {
+        const std::vector<Index>& controls = i < ready.part_controls.size() ? ready.part_controls[i] : ready.controls;
+        state.program(part.program.get());
+        if (part.blocks) glBindBufferBase(GL_UNIFORM_BUFFER, 0, part.blocks.get());
+        const int uploads = runtime::set_system(part, context, !savings) +
+                            (draw.program == none ? 0 : runtime::set_user(part, controls, *values, !savings));
+        counters.uniform_uploads += static_cast<std::uint64_t>(uploads);
+    });
     counters.specialised_draws += program.settled.empty() ? 0 : 1;
     for (const runtime::BoundTexture& texture : ready.textures)
         state.texture(texture.unit, texture.target, texture.texture, texture.sampler);
-    const Vec4& color = draw.color == none ? Vec4{1, 1, 1, 1} : plan.scene.colors[draw.color];
+    const Vec4 color = draw_color(ready);
     const bool opaque =
         savings && (program.opaque || (draw.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color));
     RasterState raster = plan.scene.rasters[draw.raster];
@@ -415,22 +423,32 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
     LinkedProgram& program = *ready.program;
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
     if (ready.mode == GL_PATCHES) gl::beyond::patch_vertices(ready.patch_vertices);
-    const auto elements = [&](std::uint32_t first, std::uint32_t count) {
-        glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                       reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
+    const auto face = [&](int index) {
+        program.in_turn([&](LinkedProgram& part, std::size_t) {
+            state.program(part.program.get());
+            counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_face_index(part, index));
+        });
+    };
+    const auto elements = [&](std::uint32_t first, std::uint32_t count, std::size_t part) {
+        if (ready.stages)
+            ready.stages->draw(program, mesh, part, draw_color(ready), state, samples ? &*samples : nullptr);
+        else
+            glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                           reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
         ++counters.draws;
         counters.triangles += runtime::triangle_count(mesh.topology, count);
         counters.lines += runtime::line_count(mesh.topology, count);
         counters.points += mesh.topology == Topology::points ? count : 0;
     };
-    if (!program.reads(glsl::System::face_index)) return elements(0, mesh.count);
+    const std::size_t whole = mesh.parts.size();
+    if (!program.reads(glsl::System::face_index)) return elements(0, mesh.count, whole);
     if (mesh.parts.empty()) {  // face 0, whatever the last mesh ended with
-        counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_face_index(program, 0));
-        return elements(0, mesh.count);
+        face(0);
+        return elements(0, mesh.count, whole);
     }
-    for (const content::MeshPart& part : mesh.parts) {
-        counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_face_index(program, part.face_index));
-        elements(part.first, part.count);
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+        face(mesh.parts[i].face_index);
+        elements(mesh.parts[i].first, mesh.parts[i].count, i);
     }
 }
 

@@ -221,18 +221,29 @@ test('settling compiles programs for the values, and the picture stays', async (
     assert.ok(alike(await engine.evaluate((e, frame) => e.shown(frame), frame), before) > 0.999);
 });
 
-test('a scene with a geometry shader says that WebGL 2 has none', async () => {
+test('a geometry shader that hands its triangles on changes nothing, and WebGL 2 has no tessellation', async () => {
     const engine = await started();
-    const problems = await engine.evaluate((e) => {
-        e.edit('g.glib', 'Vertex g.vert\nGeometry g.geom\nFragment g.frag\nProgram P\nSphere 1');
+    const [problems, through, without, tessellated] = await engine.evaluate((e, frame) => {
+        const program = 'Fragment g.frag\nProgram P\nSphere 1\n';
+        e.edit('g.glib', 'Vertex g.vert\nGeometry g.geom\n' + program);
+        e.edit('v.glib', 'Vertex g.vert\n' + program);
+        e.edit('t.glib', 'TessControl g.vert\nTessEvaluation g.vert\n' + program);
         e.edit('g.vert', '#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }');
         e.edit('g.geom', '#version 330 compatibility\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices=3) out;\n' +
             'void main() { for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position; EmitVertex(); } EndPrimitive(); }');
-        e.edit('g.frag', '#version 330 compatibility\nvoid main() { gl_FragColor = vec4(1.); }');
-        return e.engine.open('g.glib').problems;
-    });
-    const error = problems.find((problem) => problem.severity === 'error')!;
-    assert.match(error.message, /geometry/i);
+        e.edit('g.frag', '#version 330 compatibility\nvoid main() { gl_FragColor = vec4(gl_FragCoord.xy / 200., 1., 1.); }');
+        const shown = (scene: string) => {
+            const { problems } = e.engine.open(scene);
+            return [problems, e.shown(frame)] as const;
+        };
+        const [problems, through] = shown('g.glib');
+        return [problems, through, shown('v.glib')[1], e.engine.open('t.glib').problems] as const;
+    }, frame);
+    assert.ok(!problems.some((problem) => problem.severity === 'error'), JSON.stringify(problems));
+    assert.ok(spread(through) > 50, `${spread(through)} and ${spread(without)} values`);
+    assert.ok(alike(through, without) > 0.999, `${alike(through, without)}`);
+    const error = tessellated.find((problem) => problem.severity === 'error')!;
+    assert.match(error.message, /tessellation/i);
 });
 
 test('advice is not about a command line', async () => {

@@ -102,6 +102,7 @@ bool Batch::ready_context() {
         return false;
     }
     caps_ = gl::query_caps();
+    if (options_.without_stages) gl::leave_stages(caps_);
     timings_.context = watch.milliseconds();
     return true;
 }

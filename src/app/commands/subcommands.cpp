@@ -307,6 +307,8 @@ void add_drawing(CLI::App& command, RenderOptions& render) {
                      "count the pixels that are NaN or infinite before they are clamped");
     command.add_flag("-q,--quiet", render.quiet, "print errors only, no warnings");
     add_context(command, render.context);
+    command.add_flag("--without-stages", render.without_stages,
+                     "do without the driver's geometry shaders, as where it has none");
 }
 
 Run runner(std::shared_ptr<RenderOptions> options) {

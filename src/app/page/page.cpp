@@ -44,8 +44,8 @@ std::optional<gl::Caps> PageContexts::native() { return current_caps(native_, na
 
 gl::Caps web_caps(gl::Caps caps) {
     caps.version = "WebGL 2";
-    caps.glsl = 300;
-    caps.fp64 = caps.geometry = caps.tessellation = caps.program_interface_query = false;
+    gl::leave_stages(caps);
+    caps.fp64 = caps.program_interface_query = false;
     caps.max_line_width = 1;
     return caps;
 }

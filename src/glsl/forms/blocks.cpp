@@ -41,18 +41,6 @@ void declare(const Program& program, Unit& u, const Block& b, int first, int las
     }
 }
 
-void flatten(const Program& program, Unit& u, const Block& b) {
-    blank(u, b.first, b.open);
-    for (const auto& [first, last] : b.member_tokens) declare(program, u, b, first, last);
-    blank(u, b.close, b.last);
-    if (b.instance.empty()) return;
-    for (int i = b.last + 1; i + 2 < static_cast<int>(u.tokens.size()); ++i) {
-        if (u.at(i).text != b.instance || u.at(i - 1).text == "." || u.at(i + 1).text != ".") continue;
-        u.replace(i, variable_of(program, b.name, u.at(i + 2).text));
-        blank(u, i + 1, i + 2);
-    }
-}
-
 // An input block that no stage writes is not passed at all: it reads as zero.
 bool is_written(const Program& program, const Block& b) {
     return b.qualifiers.storage == Storage::out || ranges::any_of(program.units, [&](const Unit& u) {
@@ -64,6 +52,18 @@ bool is_written(const Program& program, const Block& b) {
 
 }  // namespace
 
+void flatten_block(const Program& program, Unit& u, const Block& b) {
+    blank(u, b.first, b.open);
+    for (const auto& [first, last] : b.member_tokens) declare(program, u, b, first, last);
+    blank(u, b.close, b.last);
+    if (b.instance.empty()) return;
+    for (int i = b.last + 1; i + 2 < static_cast<int>(u.tokens.size()); ++i) {
+        if (u.at(i).text != b.instance || u.at(i - 1).text == "." || u.at(i + 1).text != ".") continue;
+        u.replace(i, variable_of(program, b.name, u.at(i + 2).text));
+        blank(u, i + 1, i + 2);
+    }
+}
+
 // A block without an instance lends its members' names to the whole text, so they stay.
 std::string variable_of(const Program& program, std::string_view block, std::string_view member) {
     for (const Unit& u : program.units)
@@ -72,13 +72,16 @@ std::string variable_of(const Program& program, std::string_view block, std::str
     return "snell_" + std::string(block) + "_" + std::string(member);
 }
 
-bool flattens_blocks(const Target& target) { return target.es && target.version < 320; }
+// Where a geometry stage is emulated, its form sees to the blocks.
+bool flattens_blocks(const Program& program) {
+    return program.target().es && program.target().version < 320 && program.units.size() == 2;
+}
 
 void flatten_blocks(Program& program) {
-    if (!flattens_blocks(program.target())) return;
+    if (!flattens_blocks(program)) return;
     for (Unit& u : program.units)
         for (const Block& b : u.blocks)
-            if (passes_between(u, b) && !b.arrayed && is_written(program, b)) flatten(program, u, b);
+            if (passes_between(u, b) && !b.arrayed && is_written(program, b)) flatten_block(program, u, b);
 }
 
 // Where a fragment is in a picture that is drawn part by part.

@@ -376,12 +376,11 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
 }  // namespace
 
 void preprocess(Unit& unit, FileId file, Sources& sources, const Options& options, Diagnostics& diagnostics) {
-    Diagnostics first;
-    Preprocessor verbatim(unit, sources, options, first);
-    verbatim.run(file);
-    if (!verbatim.must_expand()) {
-        diagnostics.append(first);
-        return;
+    if (unit.verbatim) {
+        Diagnostics first;
+        Preprocessor verbatim(unit, sources, options, first);
+        verbatim.run(file);
+        if (!verbatim.must_expand()) return diagnostics.append(first);
     }
     Unit again;
     again.stage = unit.stage;

@@ -231,7 +231,7 @@ void give(Unit& u, const Global& g) {
 }
 
 void give(const Program& program, Unit& u, const Block& b) {
-    const bool flat = flattens_blocks(program.target());
+    const bool flat = flattens_blocks(program);
     for (const Member& m : b.members) {
         const bool bare = b.instance.empty();
         const auto assigns = [&](int i) {

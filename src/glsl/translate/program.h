@@ -79,7 +79,9 @@ void unify_uniforms(Program& program);
 std::vector<DeclaredUniform> declared_uniforms(Program& program);
 // Blocks that pass between shaders become single variables where the target has none.
 void flatten_blocks(Program& program);
-bool flattens_blocks(const Target& target);
+bool flattens_blocks(const Program& program);
+// The same for one block, whatever the target has.
+void flatten_block(const Program& program, Unit& unit, const Block& block);
 // The variable that a member of a block becomes then.
 std::string variable_of(const Program& program, std::string_view block, std::string_view member);
 // Inputs of each stage meet outputs of the stage before.
@@ -108,6 +110,8 @@ bool widens_lines(const Program& program);
 // Its text; makes the shaders on both sides give and take what it hands on. Nothing where it isn't wanted or,
 // with a warning, not possible.
 std::optional<std::string> widen_lines(Program& program);
+// Replaces the geometry stage of a translated program, as Options::without_geometry says.
+void emulate_geometry(Program& program, Translation& translation);
 // Asks Options::settle, after declared_uniforms.
 void choose_settled(Program& program);
 // What the settled uniforms decide is written as decided, and the other marks go (read/marks.cpp).

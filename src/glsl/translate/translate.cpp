@@ -105,7 +105,8 @@ void refuse_late_features(const Program& program) {
             program.diagnostics.error("unsupported-type", u.span(static_cast<int>(buffer - u.tokens.begin())),
                                       "OpenGL ES 3.0 has no texture buffers (samplerBuffer)",
                                       "they are in OpenGL 3.1 and OpenGL ES 3.2");
-        if (u.stage != Stage::vertex && u.stage != Stage::fragment)
+        if (u.stage != Stage::vertex && u.stage != Stage::fragment &&
+            (u.stage != Stage::geometry || !program.options.without_geometry))
             program.diagnostics.error("unsupported-stage", u.reference,
                                       "OpenGL ES 3.0 has no geometry and tessellation shaders");
     }
@@ -166,6 +167,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     out.renamed = std::move(program.renamed);
     out.declared = std::move(program.declared);
     out.settled = std::move(program.settled);
+    if (options.without_geometry && diagnostics.errors() == errors) emulate_geometry(program, out);
     out.ok = diagnostics.errors() == errors;
     return out;
 }

@@ -1,4 +1,5 @@
 #include <array>
+#include <cstring>
 
 #include <epoxy/gl.h>
 
@@ -10,6 +11,13 @@ namespace snell::gl {
 bool is_desktop() { return epoxy_is_desktop_gl(); }
 int version() { return epoxy_gl_version(); }
 bool has_extension(const char* name) { return epoxy_has_gl_extension(name); }
+
+void read_buffer(GLenum target, std::size_t bytes, void* into) {
+    const void* data = glMapBufferRange(target, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
+    if (!data) return;
+    std::memcpy(into, data, bytes);
+    glUnmapBuffer(target);
+}
 
 }  // namespace snell::gl
 

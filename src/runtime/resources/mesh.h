@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "src/gl/texture.h"
 
 namespace snell::runtime {
+
+struct StageMesh;
 
 struct GpuMesh {
     gl::VertexArray array;
@@ -27,6 +30,7 @@ struct GpuMesh {
     bool bounded = true;  // no position is outside of these: none is infinite or not a number
     std::size_t bytes = 0;
     double load_ms = 0;
+    std::shared_ptr<StageMesh> stages;  // null until a program reads it
 };
 
 GpuMesh upload(const content::Mesh& mesh);

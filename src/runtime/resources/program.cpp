@@ -15,6 +15,7 @@
 #include "src/plan/texts.h"
 #include "src/plan/values/declared.h"
 #include "src/runtime/resources/counters.h"
+#include "src/runtime/resources/stages.h"
 
 namespace snell::runtime {
 
@@ -31,12 +32,11 @@ bool stages_supported(const LinkRequest& request, Diagnostics& diagnostics) {
     bool ok = true;
     for (const glsl::StageInput& stage : request.stages) {
         const bool tessellation = stage.stage == Stage::tess_control || stage.stage == Stage::tess_evaluation;
-        const bool missing = (tessellation && !caps.tessellation) || (stage.stage == Stage::geometry && !caps.geometry);
-        if (!missing) continue;
+        if (!tessellation || caps.tessellation) continue;
         ok = false;
         diagnostics.error("stage-unsupported", stage.reference,
-                          fmt::format("program '{}' needs {} shaders, which this OpenGL ({}) does not have",
-                                      request.program.name, tessellation ? "tessellation" : "geometry", caps.version));
+                          fmt::format("program '{}' needs tessellation shaders, which this OpenGL ({}) does not have",
+                                      request.program.name, caps.version));
     }
     return ok;
 }
@@ -47,7 +47,16 @@ std::vector<gl::AttributeLocation> attribute_locations(const std::vector<glsl::A
     return locations;
 }
 
+GLenum input_of(std::string_view primitive) {
+    return primitive == "points"            ? GL_POINTS
+           : primitive == "lines"           ? GL_LINES
+           : primitive == "lines_adjacency" ? GL_LINES_ADJACENCY
+           : primitive == "triangles"       ? GL_TRIANGLES
+                                            : GL_TRIANGLES_ADJACENCY;
+}
+
 void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) {
+    if (translation.emulated) linked.geometry_input = input_of(translation.emulated->input);
     for (const auto& stage : translation.stages) {
         if (stage.stage == Stage::tess_evaluation) linked.tessellates = true;
         if (stage.stage != Stage::geometry) continue;
@@ -71,6 +80,7 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     for (const glsl::Settled& settled : translation.settled) add(fmt::format("{}={}", settled.name, settled.values[0]));
     add(fmt::format("{}{}", translation.uses_alpha, translation.plain_depth));
     add(translation.placed_by);
+    if (translation.emulated) add(translation.emulated->capture.text);
     std::vector<std::string_view> names;
     for (const UniformValue& uniform : program.uniforms) names.push_back(uniform.name);
     ranges::sort(names);
@@ -124,7 +134,8 @@ std::string log_with_includes(const glsl::StageOutput& stage) {
 }  // namespace
 
 bool LinkedProgram::reads(glsl::System which) const {
-    return ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; });
+    return ranges::any_of(system, [&](const SystemUniform& uniform) { return uniform.system == which; }) ||
+           ranges::any_of(parts, [&](const auto& part) { return part->reads(which); });
 }
 
 std::vector<std::string> LinkedProgram::functions_naming(std::string_view uniform) const {
@@ -143,6 +154,7 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.flat_color = request.variant.flat;
     options.wide_lines = request.variant.wide;
     options.placed = request.variant.placed;
+    options.without_geometry = !request.caps.geometry;
     options.defines = ladder_defines(request.ladders, request.variant.rungs);
     options.color_outputs = request.variant.outputs;
     // Also for any values: all forms of a program keep the same numbers from being folded.
@@ -185,6 +197,33 @@ std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Tra
     return linked;
 }
 
+// Returns false, with a diagnostic, if a program that counts or captures cannot be made.
+bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Translation& translation,
+               Diagnostics& diagnostics) {
+    const glsl::EmulatedGeometry& form = *translation.emulated;
+    const auto stages = {std::pair(&form.count, &form.counted), std::pair(&form.capture, &form.captured)};
+    for (const auto& [stage, written] : stages) {
+        std::string log;
+        auto& part = linked.parts.emplace_back(std::make_unique<LinkedProgram>());
+        const auto shader = compile(*stage, request.store, request.counters, log);
+        gl::Linked made = shader ? link_capturing(*shader, *written, request.caps) : gl::Linked{{}, log};
+        if (!made.program) {
+            glsl::explain_log(made.log, translation, shader ? nullptr : stage, request.program.span,
+                              request.program.name, request.sources, diagnostics);
+            return false;
+        }
+        ++request.counters.programs_compiled;
+        part->program = std::move(made.program);
+        part->shaders.push_back(shader);
+        find_uniforms(*part, request.program, translation, request.caps);
+        part->blocks = zeros_for_blocks(part->program.get());
+        part->stage_range = glGetUniformLocation(part->program.get(), glsl::stage_range.data());
+    }
+    linked.emulated = form;
+    join_parts(linked);
+    return true;
+}
+
 }  // namespace
 
 std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnostics& diagnostics) {
@@ -210,6 +249,7 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     linked->settled = translation.settled;
     note_geometry(*linked, translation);
     find_uniforms(*linked, request.program, translation, request.caps);
+    if (translation.emulated && !add_parts(*linked, request, translation, diagnostics)) return nullptr;
     assign_units(*linked);
     linked->blocks = zeros_for_blocks(linked->program.get());
     linked->load_ms = watch.milliseconds();
@@ -284,7 +324,7 @@ glsl::Translation Code::translated(const Control& slider, double value) const {
 }
 
 std::string Code::with(const glsl::Translation& translation) {
-    if (!translation.ok || translation.settled.empty()) return {};
+    if (!translation.ok || translation.settled.empty() || translation.emulated) return {};
     std::vector<gl::Compiled> compiled;
     std::vector<const gl::Shader*> shaders;
     const std::string remark = fmt::format("\n// {} {}\n", run_, links_++);

@@ -75,8 +75,20 @@ struct LinkedProgram {
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
+    // Where vertex shaders stand for a geometry stage: the programs that count and capture (stages.h). `active` and
+    // `samplers` have theirs, too.
+    std::optional<glsl::EmulatedGeometry> emulated;
+    std::vector<std::unique_ptr<LinkedProgram>> parts;
+    int stage_unit = 0;      // the first of GL's units that the mesh takes
+    GLint stage_range = -1;  // of a part: the location of glsl::stage_range
 
     bool reads(glsl::System system) const;
+    // Calls `each` for the parts and then for the program itself, in which everything is set that way.
+    template <class Each>
+    void in_turn(const Each& each) {
+        for (std::size_t i = 0; i < parts.size(); ++i) each(*parts[i], i);
+        each(*this, parts.size());
+    }
     // The functions of the shaders that name the uniform, such as "main (fragment)".
     std::vector<std::string> functions_naming(std::string_view uniform) const;
 };

@@ -1,18 +1,13 @@
 // What pages do not draw as the native program does, by scene.
 
-const stage = (kind) => `needs ${kind} shaders`;
+const tessellation = 'needs tessellation shaders';
 
 // Scenes that `snell web` refuses, and what it says. All others have pages.
 export const refused = {
-    Geometry: stage('geometry'),
-    GeometryInput: stage('geometry'),
-    GeometryOutput: stage('geometry'),
-    LinesAdjacency: stage('geometry'),
-    ObjAdj: stage('geometry'),
-    NumPatchVertices: stage('tessellation'),
-    ObjPatch: stage('tessellation'),
-    TessControl: stage('tessellation'),
-    TessEvaluation: stage('tessellation'),
+    NumPatchVertices: tessellation,
+    ObjPatch: tessellation,
+    TessControl: tessellation,
+    TessEvaluation: tessellation,
     Shp: 'cannot read ESRI shape files',
 };
 

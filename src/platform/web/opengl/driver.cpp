@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <emscripten/html5.h>
+#include <webgl/webgl2.h>
 
 #include "src/gl/api.h"
 #include "src/gl/debug.h"
@@ -47,6 +48,10 @@ bool has_extension(const char* name) {
         if (one && std::string_view(one) == name) return true;
     }
     return false;
+}
+
+void read_buffer(GLenum target, std::size_t bytes, void* into) {
+    emscripten_glGetBufferSubData(target, 0, static_cast<GLsizeiptr>(bytes), into);
 }
 
 bool lost() { return emscripten_is_webgl_context_lost(emscripten_webgl_get_current_context()); }

@@ -1,0 +1,68 @@
+// Geometry stages where the context has none: vertex shaders stand for them (src/glsl/forms/geometry.cpp), and
+// transform feedback captures what they emit.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "src/gl/target.h"
+#include "src/runtime/resources/mesh.h"
+#include "src/runtime/resources/program.h"
+
+namespace snell::runtime {
+
+// The vertices of each primitive of so many indices, in the order in which a geometry stage gets them.
+std::vector<std::uint32_t> corners_of(Topology topology, std::span<const std::uint32_t> indices);
+
+// A mesh as these shaders read it.
+struct StageMesh {
+    struct Part {
+        int first = 0, count = 0;  // primitives
+    };
+    gl::Texture vertices, primitives;
+    std::vector<Part> parts;  // as GpuMesh::parts; the last one is the whole mesh
+    std::size_t bytes = 0;
+};
+// Null if a texture of this context cannot hold it.
+std::shared_ptr<StageMesh> stage_mesh(const content::Mesh& mesh, const gl::Caps& caps);
+
+// Shows the uniforms of LinkedProgram::parts in the program itself, and gives the samplers of all three their units:
+// one that several of them read has the same unit in each.
+void join_parts(LinkedProgram& linked);
+// Links one of the parts.
+gl::Linked link_capturing(const gl::Shader& shader, const std::vector<std::string>& written, const gl::Caps& caps);
+
+// What one draw emits. Counts are kept as long as nothing that they depend on changes.
+class StageDraw {
+public:
+    // Draws that part of the mesh. All uniforms and textures of the programs are set.
+    // `samples`: a query that is active, or null. What is captured is none of its business.
+    void draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t part, const Vec4& color, State& state,
+              gl::AnySamples* samples);
+
+private:
+    // As much as one buffer holds; the rest waits for its turn.
+    struct Piece {
+        std::size_t first_slot = 0, slots = 0, first_element = 0, elements = 0;
+    };
+    struct Emitted {
+        std::vector<double> depends;  // what the counts were made from
+        std::vector<Piece> pieces;
+        gl::Buffer slots, elements;
+        gl::VertexArray slots_array, array;
+    };
+    void count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of, State& state,
+               gl::AnySamples* samples);
+    void list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::span<const std::uint32_t> counts,
+              State& state);
+    void arrange(Emitted& emitted, const glsl::EmulatedGeometry& form, std::size_t slots, State& state);
+
+    std::vector<std::unique_ptr<Emitted>> parts_;  // as StageMesh::parts
+    gl::Buffer captured_;
+    std::size_t captured_bytes_ = 0;
+    gl::VertexArray none_;  // of the counting, which has no attributes
+};
+
+}  // namespace snell::runtime

@@ -1,0 +1,235 @@
+// Geometry stages where the context has none, against the driver's own: the same pixels.
+#include <cstdlib>
+#include <random>
+
+#include "parser/text/ranges.h"
+#include "src/runtime/resources/stages.h"
+#include "tests/harness/harness.h"
+
+namespace snell::test {
+namespace {
+
+std::string number(int n) { return std::to_string(n); }
+
+// A geometry shader that nobody wrote, with what its neighbours need. The stages share names on purpose.
+class RandomStages {
+public:
+    RandomStages(unsigned seed, bool es) : random_(seed), es_(es) {}
+
+    // The scene; its shaders are written into the folder.
+    std::string scene(Folder& folder) {
+        struct Kind {
+            std::string begin, input;
+            int corners;
+        };
+        static const Kind kinds[] = {{"gl_points", "points", 1},
+                                     {"gl_lines", "lines", 2},
+                                     {"gl_line_strip", "lines", 2},
+                                     {"gl_line_loop", "lines", 2},
+                                     {"gl_triangles", "triangles", 3},
+                                     {"gl_triangle_strip", "triangles", 3},
+                                     {"gl_triangle_fan", "triangles", 3},
+                                     {"gl_lines_adjacency", "lines_adjacency", 4},
+                                     {"gl_line_strip_adjacency", "lines_adjacency", 4},
+                                     {"gl_triangles_adjacency", "triangles_adjacency", 6},
+                                     {"gl_triangle_strip_adjacency", "triangles_adjacency", 6}};
+        const Kind& kind = kinds[below(std::size(kinds))];
+        folder.write("s.vert", vertex());
+        folder.write("s.geom", geometry(kind.input, kind.corners));
+        folder.write("s.frag", fragment());
+        std::string scene = "Ortho -1 1 -1 1\nVertex s.vert\nGeometry s.geom\nFragment s.frag\nProgram P uTwist .4\n";
+        if (below(3) == 0) scene += "CullFace back\n";
+        for (int draw = 0; draw < 2; ++draw) {
+            scene += "glBegin " + kind.begin + "\n";
+            for (int i = 0, all = 6 + below(12); i < all; ++i) {
+                if (colored_) scene += "glColor " + real(0) + " " + real(0) + " " + real(0) + " 1.\n";
+                scene += "glVertex " + real(-1) + " " + real(-1) + " " + real(-1) + "\n";
+            }
+            scene += "glEnd\nTranslate .1 .05 0\n";
+        }
+        return scene;
+    }
+
+private:
+    int below(std::size_t n) { return static_cast<int>(random_() % n); }
+    std::string real(double from) { return std::to_string(std::uniform_real_distribution<double>(from, 1)(random_)); }
+
+    std::string vertex() const {
+        return std::string("#version 400 compatibility\nuniform float uTwist;\n") +
+               (block_ ? "out Pair { vec2 t; float w[2]; } given;\n" : "out vec2 t; out float w[2];\n") +
+               "out vec3 shade; flat out int number;\nfloat x = .25, seed;\nconst int count = 2;\n"
+               "struct Light { vec3 a; float b; };\nfloat mixed(float a) { return a * x; }\n"
+               "void main() {\n    Light light = Light(vec3(x), seed);\n    x += gl_Vertex.x;\n    seed += 1.;\n"
+               "    shade = " +
+               (colored_ ? "gl_Color.rgb" : "fract(gl_Vertex.zyx * 3.)") +
+               " + light.a * .1;\n"
+               "    number = gl_VertexID;\n    " +
+               (block_ ? "given.t" : "t") +
+               " = vec2(mixed(x), seed * uTwist);\n"
+               "    for (int i = 0; i < count; ++i) " +
+               (block_ ? "given.w" : "w") + "[i] = float(i) + x;\n" +
+               "    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;\n    gl_PointSize = 3. + shade.x;\n}\n";
+    }
+
+    std::string geometry(const std::string& input, int corners) {
+        // llvmpipe writes beyond its memory where strips have less than a primitive (Mesa 22.3).
+        const int invocations = 1 + below(3), most = 3 + below(below(4) == 0 ? 90 : 12);
+        static const std::string outputs[] = {"points", "line_strip", "triangle_strip"};
+        const std::string& output = outputs[below(3)];
+        const std::string of = block_ ? "given[k]." : "", at = block_ ? "" : "[k]";
+        std::string text = "#version 400 compatibility\nlayout(" + input + ", invocations = " + number(invocations) +
+                           ") in;\nlayout(" + output + ", max_vertices = " + number(most) + ") out;\n" +
+                           "uniform float uTwist;\n" +
+                           (block_ ? "in Pair { vec2 t; float w[2]; } given[];\n" : "in vec2 t[];\n") +
+                           "in vec3 shade[]; flat in int number[];\nout vec3 colour; flat out ivec2 whole;\n" +
+                           "struct Light { float b; };\nfloat x = .5;\nconst int count = " + number(1 + below(5)) +
+                           ";\n" + (block_ ? "out Given { vec4 part; mat2 turn; } give;\n" : "out vec2 rest[2];\n") +
+                           "float mixed(float a) { return a * .5 + x; }\n"
+                           "void corner(int i, int k) {\n    float a = float(i) * " +
+                           real(.5) +
+                           " + uTwist;\n"
+                           "    colour = mix(shade[k], vec3(mixed(" +
+                           of + "t" + at +
+                           ".x), fract(a), x), .5);\n"
+                           "    whole = ivec2(number[k], i);\n" +
+                           (block_ ? "    give.part = vec4(given[k].t, given[k].w[1], x);\n    give.turn = mat2(a);\n"
+                                   : "    rest[0] = t[k]; rest[1] = vec2(x, a);\n") +
+                           "    gl_Position = gl_in[k].gl_Position + vec4(cos(a), sin(a), 0, 0) * " + real(.1) + ";\n" +
+                           (!es_ && below(2) ? "    gl_PointSize = gl_in[k].gl_PointSize;\n" : "") +
+                           (number_ ? "    gl_PrimitiveID = gl_PrimitiveIDIn + i;\n" : "") + "    x += .01;\n";
+        const bool apart = below(2) == 0;
+        text += apart ? "    EmitVertex();\n}\n" : "}\n";
+        return text + "void main() {\n    int n = (gl_PrimitiveIDIn * 7 + gl_InvocationID * 3 + number[0]) % " +
+               number(most + 3) +
+               ";\n    if (n == count) return;\n    for (int i = 0; i < n; ++i) {\n"
+               "        corner(i, i % " +
+               number(corners) + ");\n        " + (apart ? "" : "EmitVertex();") +
+               "\n        if ((i * 5 + gl_PrimitiveIDIn) % " + number(2 + below(7)) +
+               " == 0) EndPrimitive();\n"
+               "        else if (i > 40) x = 1.; else x += .001;\n    }\n}\n";
+    }
+
+    std::string fragment() const {
+        return std::string("#version 400 compatibility\nin vec3 colour; flat in ivec2 whole;\n") +
+               (block_ ? "in Given { vec4 part; mat2 turn; } taken;\n" : "in vec2 rest[2];\n") +
+               "void main() {\n    vec3 c = fract(colour + vec3(whole % 5, 0) * .2);\n    " +
+               (block_ ? "c.z = fract(taken.part.x + taken.part.w * taken.turn[1][1]);\n"
+                       : "c.z = fract(rest[0].x + rest[1].y);\n") +
+               (number_ ? "    c.x = float(gl_PrimitiveID % 7) / 7.;\n" : "") +
+               "    gl_FragColor = vec4(gl_FrontFacing ? c : c * .4, 1.);\n}\n";
+    }
+
+    std::mt19937 random_;
+    bool es_;  // which has no sizes of points in geometry shaders
+    bool block_ = below(2) == 0, colored_ = below(2) == 0, number_ = below(3) == 0;
+};
+
+class Stages : public GlTest {
+protected:
+    // How many pixels are others by more than 8 of 255.
+    int far(Document& native, Document& emulated) {
+        const Picture a = draw(native), b = draw(emulated);
+        int count = 0;
+        for (int y = 0; y < a.height; ++y)
+            for (int x = 0; x < a.width; ++x) count += near(a.at(x, y), b.at(x, y), 8) ? 0 : 1;
+        return count;
+    }
+
+    template <class Opened>
+    void compare(const Opened& opened) {
+        const gl::Caps whole = caps;
+        const auto native = opened();
+        gl::leave_stages(caps);
+        const auto emulated = opened();
+        caps = whole;
+        expect_clean(*native);
+        expect_clean(*emulated);
+        EXPECT_EQ(far(*native, *emulated), 0);
+    }
+
+    void compare_random(unsigned first) {
+        const char* const wanted = std::getenv("SNELL_RANDOM_STAGES");
+        const int all = wanted ? std::atoi(wanted) : 12;
+        int drawn = 0;
+        for (int i = 0; i < all; ++i) {
+            SCOPED_TRACE(first + static_cast<unsigned>(i));
+            const std::string scene = RandomStages(first + static_cast<unsigned>(i), caps.es).scene(folder);
+            compare([&] { return open(scene); });
+            const Picture picture = draw(scene);
+            drawn += picture.count({0, 0, 0, 0}) < picture.width * picture.height ? 1 : 0;
+        }
+        EXPECT_GT(drawn, all / 2) << "most of them draw something";
+    }
+};
+
+class StagesEs : public Stages {
+protected:
+    StagesEs() { request.es = true; }
+};
+
+TEST_F(Stages, RandomGeometryShadersDrawWhatTheDriverDraws) { compare_random(1); }
+TEST_F(StagesEs, RandomGeometryShadersDrawWhatTheDriverDraws) { compare_random(10001); }
+
+TEST_F(Stages, CasesWithGeometryShadersDrawWhatTheDriverDraws) {
+    for (const char* name : {"Geometry", "GeometryInput", "GeometryOutput", "LinesAdjacency", "ObjAdj"}) {
+        SCOPED_TRACE(name);
+        compare([&] { return open_file(SNELL_ROOT "/tests/cases/" + std::string(name) + ".glib"); });
+    }
+}
+
+// The counts are kept, and made again when what they depend on changes.
+TEST_F(Stages, FollowTheirUniforms) {
+    const std::string scene = SNELL_ROOT "/tests/cases/LinesAdjacency.glib";
+    const auto native = open_file(scene);
+    gl::leave_stages(caps);
+    const auto emulated = open_file(scene);
+    for (const char* value : {"uNum=3", "uNum=40", "uNum=1", "uInk=1,0,0", "uNum=40"}) {
+        SCOPED_TRACE(value);
+        const Picture a = draw(*native, {.sets = {value}}), b = draw(*emulated, {.sets = {value}});
+        EXPECT_EQ(a, b);
+    }
+}
+
+// Each draw of one program has counts of its own, and so has each part of a mesh.
+TEST_F(Stages, CountForEachFaceOfAMesh) {
+    folder.write(
+        "s.geom",
+        "#version 400 compatibility\nlayout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n"
+        "uniform int FaceIndex; out float shade;\nvoid main() {\n"
+        "    for (int i = 0; i < (FaceIndex % 3 == 0 ? 0 : 3); ++i) {\n        shade = float(FaceIndex) / 32.;\n"
+        "        gl_Position = gl_in[i].gl_Position; EmitVertex();\n    }\n}\n");
+    folder.write("s.frag", "#version 330\nin float shade; out vec4 c; void main() { c = vec4(shade, 1., 0., 1.); }\n");
+    compare([&] {
+        return open(
+            "Perspective 50\nLookAt 0 0 4 0 0 0 0 1 0\nGeometry s.geom\nFragment s.frag\nProgram P\nSoccerball\n"
+            "Sphere .4\n");
+    });
+}
+
+TEST_F(Stages, WhatTheyCannotDoIsSaidAtItsPlace) {
+    folder.write("s.geom",
+                 "#version 400\nlayout(points) in; layout(points, max_vertices = 1) out;\n"
+                 "void main() { gl_Layer = 1; EmitVertex(); }\n");
+    gl::leave_stages(caps);
+    const auto document = open("Geometry s.geom\nProgram P\nglBegin gl_points\nglVertex 0 0 0\nglEnd\n");
+    ASSERT_TRUE(has(*document, "unsupported-stage"));
+    const auto& said = document->diagnostics.items();
+    const Span span = ranges::find(said, "unsupported-stage", &Diagnostic::code)->span;
+    EXPECT_EQ(document->sources.position(span.file, span.begin).line, 3);
+}
+
+// By the tables of the OpenGL specification (section 10.1).
+TEST(StageMeshes, ListTheCornersOfEveryTopology) {
+    using runtime::corners_of;
+    using Numbers = std::vector<std::uint32_t>;
+    const Numbers eight{0, 1, 2, 3, 4, 5, 6, 7}, five{0, 1, 2, 3, 4};
+    EXPECT_EQ(corners_of(Topology::line_loop, Numbers{4, 5, 6}), (Numbers{4, 5, 5, 6, 6, 4}));
+    EXPECT_EQ(corners_of(Topology::triangle_strip, five), (Numbers{0, 1, 2, 2, 1, 3, 2, 3, 4}));
+    EXPECT_EQ(corners_of(Topology::triangle_fan, five), (Numbers{0, 1, 2, 0, 2, 3, 0, 3, 4}));
+    EXPECT_EQ(corners_of(Topology::line_strip_adjacency, five), (Numbers{0, 1, 2, 3, 1, 2, 3, 4}));
+    EXPECT_EQ(corners_of(Topology::triangles, five), (Numbers{0, 1, 2}));
+    EXPECT_EQ(corners_of(Topology::triangle_strip_adjacency, eight), (Numbers{0, 1, 2, 6, 4, 3, 4, 0, 2, 5, 6, 7}));
+}
+
+}  // namespace
+}  // namespace snell::test
