@@ -50,7 +50,7 @@ struct DeclaredUniform {
     int array_size = 0;     // 0: no array
     // A number, vector or matrix: no array, structure, sampler or member of a block.
     bool simple = true;
-    bool in_block = false;  // no scene can set it: it reads zero
+    bool in_block = false;        // no scene can set it: it reads zero
     std::vector<double> initial;  // of its initialiser; empty: none
     // A function that main reaches names it. A driver may still find that it changes nothing.
     bool used = false;
