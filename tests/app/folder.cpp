@@ -230,7 +230,7 @@ TEST(DroppedFiles, TheFirstSceneAmongThemIsOpened) {
     EXPECT_EQ(opener.serve_dropped({text, scene}, memory), scene);
     EXPECT_EQ(opener.serve_dropped({folder.path("B.GLIB")}, memory), folder.path("B.GLIB")) << "as on Windows";
     EXPECT_EQ(opener.serve_dropped({text}, memory), std::nullopt);
-    EXPECT_NE(memory.notice.find("a.txt"), std::string::npos);
+    EXPECT_NE(memory.failure.text.find("a.txt"), std::string::npos);
     EXPECT_FALSE(memory.browser.open);
     EXPECT_EQ(opener.serve_dropped({folder.path()}, memory), std::nullopt);
     EXPECT_TRUE(memory.browser.open) << "a folder is looked into";

@@ -83,10 +83,9 @@ bool Workspace::look(const View& view, ui::Memory& memory) {
     std::string said = pages_.look();
     const bool saved = !said.empty();
     // The reason is longer than the status line, and comes when the user may be at something else.
-    if (said.find(" is not saved: ") != said.npos)
-        memory.failure = {std::move(said)};
-    else if (saved)
-        memory.notice = std::move(said);
+    const bool failed = said.find(" is not saved: ") != said.npos;
+    if (failed) memory.failure = {std::move(said)};
+    if (saved) memory.notice = failed ? "" : std::move(said);
     return opener_.look(memory) || saved;
 }
 
