@@ -3,25 +3,31 @@
 // Vectors and Snell's law, safe for every argument. Include it by #include <snell/core.glsl>.
 // All of the library needs 32-bit floats (highp in OpenGL ES). Directions of light point toward the surface;
 // n1 is the index of refraction on the light's side, n2 the one beyond.
+// Conditions name what must hold, as in `if (x > 0.0) …`: GPUs' compilers take its negation for x <= 0.0, which is false
+// for NaN.
 
 const float SNELL_PI = 3.14159265358979;
 const float SNELL_EPSILON = 1.1920929e-7;  // of a float: 1 + it is the next number after 1
+
+// v divided by its largest component m, in two steps where 1 / m is so small that GPUs take it for 0.
+vec3 snellByLargest(vec3 v, float m) {
+    float s = (m > 1.0e30) ? 1.0e-30 : 1.0;
+    return v * s / (m * s);
+}
 
 // Unit length for every v but 0, infinity and NaN, for which it is `fallback`. By the largest component first:
 // the sum of squares of 1e30 or 1e-30 is not a float.
 vec3 snellNormalize(vec3 v, vec3 fallback) {
     float m = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if (!(m > 0.0) || !(m < 3.0e38)) return fallback;
-    v /= m;
+    v = snellByLargest(v, m);
     float l2 = dot(v, v);
-    return (l2 > 0.0 && l2 < 4.0) ? v * inversesqrt(l2) : fallback;
+    return (m > 0.0 && m < 3.0e38 && l2 > 0.0 && l2 < 4.0) ? v * inversesqrt(l2) : fallback;
 }
 
 // mix() whose ends are exact: with weight 0, b may be infinite (0 times infinity is not a number). t is clamped.
 vec3 snellMix(vec3 a, vec3 b, float t) {
-    if (!(t > 0.0)) return a;
     if (t >= 1.0) return b;
-    return mix(a, b, t);
+    return (t > 0.0) ? mix(a, b, t) : a;
 }
 
 // Angle between two directions of unit length, radians. acos of a dot product loses all digits below 1e-4.
@@ -49,10 +55,9 @@ float snellCosTransmitted2(float c, float n1, float n2) {
 // cos² is rounded still gives 0: else light that entered a slab at a grazing angle would be caught in it.
 // -1 too when an index is not positive.
 float snellCosTransmitted(float c, float n1, float n2) {
-    if (!(n1 > 0.0) || !(n2 > 0.0)) return -1.0;
-    float k = snellCosTransmitted2(clamp(c, 0.0, 1.0), n1, n2), eta = n1 / n2;
-    if (!(k >= -4.0 * SNELL_EPSILON * eta * eta)) return -1.0;
-    return sqrt(clamp(k, 0.0, 1.0));
+    float k = snellCosTransmitted2(clamp(c, 0.0, 1.0), n1, n2), eta = n1 / n2, eta2 = eta * eta;
+    bool passes = n1 > 0.0 && n2 > 0.0 && eta2 < 3.0e38 && k >= -4.0 * SNELL_EPSILON * eta2;
+    return passes ? sqrt(clamp(k, 0.0, 1.0)) : -1.0;
 }
 
 // Light in direction I at a surface whose normal N points to the side of index n1; both of any length. Light from

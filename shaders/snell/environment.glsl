@@ -11,7 +11,7 @@
 // to the texel. 0, infinity or NaN: +Z.
 vec3 snellInfiniteDirection(vec3 d) {
     float m = max(max(abs(d.x), abs(d.y)), abs(d.z));
-    vec3 scaled = d / m;
+    vec3 scaled = snellByLargest(d, m);
     float length2 = dot(scaled, scaled);  // 1 to 3, unless a component is no number
     return (m < 3.0e38 && length2 > 0.0 && length2 < 4.0) ? scaled : vec3(0.0, 0.0, 1.0);
 }

@@ -14,9 +14,8 @@ float snellPow5(float x) {
 // At normal incidence: ((n1 - n2) / (n1 + n2))². An index that is not positive or not finite: 1. As a rung:
 // .052 / .957.
 float snellFresnelF0(float n1, float n2) {
-    if (!(n1 > 0.0) || !(n2 > 0.0) || !(n1 + n2 < 3.0e38)) return 1.0;
     float r = (n1 - n2) / (n1 + n2);
-    return r * r;
+    return (n1 > 0.0 && n2 > 0.0 && n1 + n2 < 8.0e37) ? min(r * r, 1.0) : 1.0;
 }
 
 // 1 - c, "opacity". .242 / .489. No index: the same on both sides, no critical angle.
@@ -46,17 +45,15 @@ float snellFresnelSchlick5(float c, float f0) { return f0 + (1.0 - f0) * snellPo
 float snellFresnelSchlick(float c, float n1, float n2) {
     if (n1 == n2 && n1 > 0.0) return 0.0;
     float beyond = (n1 > n2) ? snellCosTransmitted(c, n1, n2) : clamp(c, 0.0, 1.0);
-    if (!(beyond >= 0.0)) return 1.0;
-    return snellFresnelSchlick5(beyond, snellFresnelF0(n1, n2));
+    return (beyond >= 0.0) ? snellFresnelSchlick5(beyond, snellFresnelF0(n1, n2)) : 1.0;
 }
 
 // Schlick with a spherical Gaussian for the power (Karis 2013). .0077 / .038. Both sides, as snellFresnelSchlick.
 float snellFresnelGaussian(float c, float n1, float n2) {
     if (n1 == n2 && n1 > 0.0) return 0.0;
     float beyond = (n1 > n2) ? snellCosTransmitted(c, n1, n2) : clamp(c, 0.0, 1.0);
-    if (!(beyond >= 0.0)) return 1.0;
     float f0 = snellFresnelF0(n1, n2);
-    return f0 + (1.0 - f0) * min(exp2((-5.55473 * beyond - 6.98316) * beyond), 1.0);
+    return (beyond >= 0.0) ? f0 + (1.0 - f0) * min(exp2((-5.55473 * beyond - 6.98316) * beyond), 1.0) : 1.0;
 }
 
 // Exact, per polarisation: x perpendicular to, y in the plane of incidence. Both sides; 1 at and past the critical
@@ -64,16 +61,16 @@ float snellFresnelGaussian(float c, float n1, float n2) {
 // (n1 - n2)(n1 + n2) keeps n = 1.0003 exact, where the textbook's difference of products loses half its digits.
 vec2 snellFresnelPolarised(float c, float n1, float n2) {
     c = clamp(c, 0.0, 1.0);
-    if (!(n1 > 0.0) || !(n2 > 0.0)) return vec2(1.0);
-    if (n1 == n2) return vec2(0.0);
-    float k = snellCosTransmitted2(c, n1, n2);
-    if (!(k > 0.0)) return vec2(1.0);
-    float t = sqrt(k), d = n1 * c + n2 * t;
-    if (!(d > 0.0)) return vec2(1.0);
-    float rs = (n1 - n2) / d * ((n1 + n2) / d), p = c * t, q = n1 / n2 * (1.0 - c) * (1.0 + c);
-    float s = p + q, r = (s > 0.0) ? (p - q) / s : 0.0;
-    float s2 = clamp(rs * rs, 0.0, 1.0);
-    return vec2(s2, s2 * (r * r));
+    if (n1 == n2 && n1 > 0.0) return vec2(0.0);
+    float k = snellCosTransmitted2(c, n1, n2), t = sqrt(clamp(k, 0.0, 1.0)), d = n1 * c + n2 * t;
+    // A cosine is at most 1, but for roundings: otherwise squares of the indices left the range of floats.
+    if (n1 > 0.0 && n2 > 0.0 && k > 0.0 && k < 2.0 && d > 0.0) {
+        float rs = (n1 - n2) / d * ((n1 + n2) / d), p = c * t, q = n1 / n2 * (1.0 - c) * (1.0 + c);
+        float s = p + q, r = (s > 0.0) ? (p - q) / s : 0.0;
+        float s2 = clamp(rs * rs, 0.0, 1.0);
+        return vec2(s2, s2 * min(r * r, 1.0));
+    }
+    return vec2(1.0);
 }
 
 // Exact for unpolarised light: the reference.
@@ -97,9 +94,8 @@ float snellFresnelLazanyi(float c, float f0, float a) {
 float snellFresnelConductor(float c, float n1, float eta, float k) {
     c = clamp(c, 0.0, 1.0);
     float n = eta / n1, m = k / n1, sin2 = (1.0 - c) * (1.0 + c);
-    if (!(n1 > 0.0) || !(n >= 0.0) || !(m >= 0.0) || !(n + m > 0.0) || !(n + m < 1.0e9)) return 1.0;
     float real = (n - m) * (n + m) - sin2, product = n * m, w = max(abs(real), 2.0 * product);
-    if (!(w > 0.0)) return 1.0;
+    bool physical = n1 > 0.0 && n >= 0.0 && m >= 0.0 && n + m > 0.0 && n + m < 1.0e9 && w > 0.0;
     float x = real / w, y = 2.0 * product / w, modulus = w * sqrt(x * x + y * y);
     float larger = sqrt(0.5 * (modulus + abs(real))), smaller = product / larger;
     float a = (real >= 0.0) ? larger : smaller, b = (real >= 0.0) ? smaller : larger;
@@ -111,7 +107,7 @@ float snellFresnelConductor(float c, float n1, float eta, float k) {
     down = vec2(a * c + sin2, b * c) / size;
     below = dot(down, down);
     float rp = rs * ((below > 0.0) ? dot(up, up) / below : 1.0);
-    return clamp(0.5 * (rs + rp), 0.0, 1.0);
+    return physical ? clamp(0.5 * (rs + rp), 0.0, 1.0) : 1.0;
 }
 
 // The `a` with which snellFresnelLazanyi is exact at c = 1/7, where c (1 - c)^6 is greatest. The same for all of a

@@ -147,12 +147,12 @@ void snellMeshTriangle(SnellMeshRay ray, int triangle, int side, inout SnellMesh
     if (side != SNELL_BOTH && front != (side == SNELL_FRONT)) return;
     w /= sum;
     float t = (w.x * A.z + w.y * B.z + w.z * C.z) / ray.along;
-    if (!(t < hit.distance)) return;
-    if (!(t > 0.0)) {
+    bool ahead = t > 0.0;
+    if (t <= 0.0) {
         vec3 n = snellNormalize(cross(B - A, C - A), vec3(0.0));
-        if (!(t * abs(dot(n, snellMeshTurn(ray.direction, ray.axis))) > -ray.slack)) return;
+        ahead = t * abs(dot(n, snellMeshTurn(ray.direction, ray.axis))) > -ray.slack;
     }
-    hit = SnellMeshHit(t, triangle, w, front);
+    if (ahead && t < hit.distance) hit = SnellMeshHit(t, triangle, w, front);
 }
 
 // snellMeshHit in the tree's coordinates.
@@ -284,10 +284,11 @@ void snellMeshKeepInside(inout SnellMesh s, vec3 from, vec3 along, float energy)
     int weakest = 0;
     for (int i = 1; i < SNELL_MESH_RAYS; ++i)
         if (s.inEnergy[i] < s.inEnergy[weakest]) weakest = i;
-    if (!(energy > s.inEnergy[weakest])) return;
-    s.inFrom[weakest] = from;
-    s.inAlong[weakest] = along;
-    s.inEnergy[weakest] = energy;
+    if (energy > s.inEnergy[weakest]) {
+        s.inFrom[weakest] = from;
+        s.inAlong[weakest] = along;
+        s.inEnergy[weakest] = energy;
+    }
 }
 
 // One ray becomes two: mirrored and refracted. Where an interpolated normal would send one of them to the wrong side
@@ -328,11 +329,12 @@ bool snellMeshNext(inout SnellMesh s) {
         vec3 from = outside ? s.outFrom : s.inFrom[strongest];
         vec3 along = outside ? s.outAlong : s.inAlong[strongest];
         float energy = outside ? s.outEnergy : s.inEnergy[strongest];
-        if (!outside && (ended || !(energy >= SNELL_SERIES_END))) return false;
         if (outside)
             s.outEnergy = 0.0;
-        else
+        else if (!ended && energy >= SNELL_SERIES_END)
             s.inEnergy[strongest] = 0.0;
+        else
+            return false;
         SnellMeshHit hit;
         int side = first ? SNELL_BOTH : outside ? SNELL_FRONT : SNELL_BACK;
         if (snellMeshFind(from, along, side, hit)) {

@@ -26,8 +26,7 @@ float snellNoiseCorner(ivec3 cell, vec3 offset) {
 // Gradient noise in [-1,1], 0 at integer points, twice differentiable, without a period below 2^32.
 // 0 where p has a component beyond 8388608 (there floats have no fractions), or NaN.
 float snellNoise(vec3 p) {
-    vec3 a = abs(p);
-    if (!(a.x < 8388608.0) || !(a.y < 8388608.0) || !(a.z < 8388608.0)) return 0.0;
+    bool fractions = all(lessThan(abs(p), vec3(8388608.0)));
     vec3 low = floor(p), f = p - low;
     ivec3 c = ivec3(low);
     vec3 w = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
@@ -40,7 +39,7 @@ float snellNoise(vec3 p) {
                     snellNoiseCorner(c + ivec3(1, 1, 1), f - vec3(1.0, 1.0, 1.0)));
     vec4 z = mix(near, far, w.z);
     vec2 y = mix(z.xy, z.zw, w.y);
-    return clamp(mix(y.x, y.y, w.x), -1.0, 1.0);
+    return fractions ? clamp(mix(y.x, y.y, w.x), -1.0, 1.0) : 0.0;
 }
 
 // Octaves of it, each of half the size and half the weight, scaled to [-1,1]. `octaves` is clamped to 1..8.

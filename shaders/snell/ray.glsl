@@ -10,13 +10,11 @@ bool snellHitSphere(vec3 origin, vec3 direction, vec3 centre, float radius, out 
     float middle = dot(to, direction);
     vec3 off = to - middle * direction;
     float h2 = radius * radius - dot(off, off);
-    enter = 0.0;
-    leave = 0.0;
-    if (!(h2 >= 0.0) || !(h2 < 3.0e38) || !(abs(middle) < 1.0e38)) return false;
-    float h = sqrt(h2);
-    enter = middle - h;
-    leave = middle + h;
-    return true;
+    bool hit = h2 >= 0.0 && h2 < 3.0e38 && abs(middle) < 1.0e38;
+    float h = sqrt(max(h2, 0.0));
+    enter = hit ? middle - h : 0.0;
+    leave = hit ? middle + h : 0.0;
+    return hit;
 }
 
 // The box low..high. A component of direction that is zero decides by the origin alone, on a side counting as inside.
@@ -29,8 +27,8 @@ bool snellHitBox(vec3 origin, vec3 direction, vec3 low, vec3 high, out float ent
         if (abs(d) > 1.0e-20) {
             near = max(near, min(a / d, b / d));
             far = min(far, max(a / d, b / d));
-        } else if (!(a <= 0.0) || !(b >= 0.0)) {
-            hit = false;
+        } else {
+            hit = hit && abs(d) <= 1.0e-20 && a <= 0.0 && b >= 0.0;
         }
     }
     hit = hit && near <= far && near > -3.0e38 && far < 3.0e38;

@@ -53,16 +53,16 @@ vec3 snellRefractTwoSided(vec3 P, vec3 I, vec3 N, float n1, float n2, float inne
     if (!snellRefract(i, n, n1, n2, T)) return T;
     vec4 seen = projection * vec4(P, 1.0);
     float depth = snellBackDepthAt(backDepths, 0.5 + 0.5 * seen.xy / seen.w, range);
-    if (!(depth > 0.0) || !(abs(i.z) > 1.0e-6)) return T;
     // The chord is between the way straight through, where light is not bent, and the way along the normal.
     float across = max((depth + P.z) / -i.z, 0.0), bent = snellAngle(-i, n);
     float w = (bent > 1.0e-4) ? snellAngle(T, -n) / bent : n1 / n2;
     seen = projection * vec4(P + mix(inner, across, w) * T, 1.0);
     vec2 st = 0.5 + 0.5 * seen.xy / seen.w;
-    if (!(snellBackDepthAt(backDepths, st, range) > 0.0)) return T;
+    bool seenBack = depth > 0.0 && abs(i.z) > 1.0e-6 && snellBackDepthAt(backDepths, st, range) > 0.0;
     vec3 back = snellNormalize(textureLod(backNormals, st, 0.0).xyz * 2.0 - 1.0, T);
     float c = clamp(dot(T, back), 0.0, 1.0);
-    return snellNormalize((n2 / n1) * (T - c * back) + max(snellCosTransmitted(c, n2, n1), 0.0) * back, T);
+    vec3 twice = snellNormalize((n2 / n1) * (T - c * back) + max(snellCosTransmitted(c, n2, n1), 0.0) * back, T);
+    return seenBack ? twice : T;
 }
 
 // All ways out of a ball, one after the other. Use:
@@ -102,19 +102,16 @@ SnellSphere snellSphereBegin(vec3 I, vec3 N, float n1, float n2) {
     s.angle = vec2(1.0, 0.0);
     s.direction = snellReflect(i, s.up);
     s.normal = s.up;
-    s.energy = s.reflectance;
-    s.inside = (c > 0.0) ? 1.0 - s.reflectance : 0.0;
-    if (!(s.inside > 0.0)) {
-        s.energy = 1.0;
-        s.inside = 0.0;
-    }
+    bool enters = c > 0.0 && s.reflectance < 1.0;
+    s.energy = enters ? s.reflectance : 1.0;
+    s.inside = enters ? 1.0 - s.reflectance : 0.0;
     s.order = 0;
     return s;
 }
 
 // The next exit. False, and s unchanged: too little is left inside, or the limit is reached.
 bool snellSphereNext(inout SnellSphere s) {
-    if (!(s.inside >= SNELL_SERIES_END) || s.order >= SNELL_ORDERS) return false;
+    if (s.inside < SNELL_SERIES_END || s.order >= SNELL_ORDERS) return false;
     s.angle = vec2(s.angle.x * s.turn.x - s.angle.y * s.turn.y, s.angle.y * s.turn.x + s.angle.x * s.turn.y);
     s.normal = s.angle.x * s.up + s.angle.y * s.across;
     vec3 ahead = s.angle.x * s.across - s.angle.y * s.up;

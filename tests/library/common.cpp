@@ -5,6 +5,8 @@
 #include <ostream>
 #include <random>
 
+#include <fmt/format.h>
+
 #include "shaders/embedded.h"
 #include "src/gl/debug.h"
 #include "src/gl/program.h"
@@ -174,6 +176,18 @@ testing::AssertionResult LibraryTest::compiles(std::string_view version, std::st
 
 bool finite(const glm::vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+void expect_each(const std::vector<glm::vec4>& results, const std::vector<Arguments>& arguments, std::string_view body,
+                 const std::function<bool(const glm::vec4&)>& good) {
+    int bad = 0;
+    std::string first;
+    const auto words = [](const glm::vec4& v) { return fmt::format("({} {} {} {})", v.x, v.y, v.z, v.w); };
+    for (std::size_t i = 0; i < results.size(); ++i)
+        if (!good(results[i]) && ++bad <= 3)
+            first += fmt::format("  {} {} {} gives {}\n", words(arguments[i].a), words(arguments[i].b),
+                                 words(arguments[i].c), words(results[i]));
+    EXPECT_EQ(bad, 0) << body << "\n" << first;
 }
 
 const std::vector<float>& special_values() {

@@ -76,6 +76,10 @@ protected:
 inline glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 bool finite(const glm::vec4& v);
 
+// Fails with the first calls of `body` whose results are not good.
+void expect_each(const std::vector<glm::vec4>& results, const std::vector<Arguments>& arguments, std::string_view body,
+                 const std::function<bool(const glm::vec4&)>& good);
+
 // Values that break naive code: zeros, denormals, the ends of the range, infinities, NaN, neighbours of 1, indices.
 const std::vector<float>& special_values();
 // `count` arguments of special values drawn at random, the same for every call.

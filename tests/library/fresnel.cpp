@@ -104,10 +104,8 @@ TEST_P(LibraryFresnel, SpecialValuesGiveReflectances) {
           "return vec4(snellFresnelGaussian(a.x, a.y, a.z));", "return vec4(snellFresnelF0(a.y, a.z));",
           "return vec4(snellFresnelCg(a.x, .3, 2., a.y));", "return vec4(snellFresnelConductor(a.x, a.y, a.z, a.w));",
           "vec2 f = snellFresnelPolarised(a.x, a.y, a.z); return vec4(f.xyxy);"}) {
-        int bad = 0;
-        const auto results = run(fresnel_include, body, arguments);
-        for (const glm::vec4& r : results) bad += !(r.x >= 0 && r.x <= 1 && r.y >= 0 && r.y <= 1);
-        EXPECT_EQ(bad, 0) << body;
+        expect_each(run(fresnel_include, body, arguments), arguments, body,
+                    [](const glm::vec4& r) { return r.x >= 0 && r.x <= 1 && r.y >= 0 && r.y <= 1; });
     }
     const auto out_of_range = [&](std::string_view before, std::string_view body, const std::vector<Arguments>& with) {
         const auto out = run(before, body, with);

@@ -333,10 +333,9 @@ TEST_P(LibraryMesh, SpecialValuesGiveDirections) {
         "float sum = 0.;\nfor (int i = 0; i < 4; ++i) if (snellMeshNext(s)) sum += s.energy;\n"
         "return vec4(s.direction, sum);";
     const auto results = run(mesh_include, body, arguments);
-    int bad = 0;
-    for (const glm::vec4& r : results)
-        bad += !finite(r) || std::abs(glm::length(vec(r)) - 1) > 1e-5 || r.w < 0 || r.w > 1.00001F;
-    EXPECT_EQ(bad, 0);
+    expect_each(results, arguments, body, [](const glm::vec4& r) {
+        return finite(r) && std::abs(glm::length(vec(r)) - 1) <= 1e-5 && r.w >= 0 && r.w <= 1.00001F;
+    });
     // Degenerate meshes, and none at all.
     content::Mesh mesh;
     use(mesh);
