@@ -1,9 +1,8 @@
 // A picture that shows nothing of its scene is said to, with the option that shows something.
 #include <gtest/gtest.h>
 
-#include <regex>
-
 #include "tests/cli/run.h"
+#include "tests/pattern.h"
 #include "tests/scratch.h"
 
 namespace snell::test {
@@ -23,11 +22,12 @@ protected:
         EXPECT_EQ(first.status, 0) << first.output;
         EXPECT_TRUE(warns(first)) << text << first.output;
         const std::string empty = bytes_of(folder.path("o.png"));
-        std::smatch option;
-        ASSERT_TRUE(std::regex_search(first.output, option, std::regex("'(--view [^']+)' shows it"))) << first.output;
-        const Outcome second = render(text, arguments + " " + option[1].str());
-        EXPECT_FALSE(warns(second)) << text << option[1] << second.output;
-        EXPECT_NE(bytes_of(folder.path("o.png")), empty) << option[1];
+        const auto told = matches(first.output, "'(--view [^']+)' shows it");
+        ASSERT_EQ(told.size(), 1U) << first.output;
+        const std::string& option = told[0][1];
+        const Outcome second = render(text, arguments + " " + option);
+        EXPECT_FALSE(warns(second)) << text << option << second.output;
+        EXPECT_NE(bytes_of(folder.path("o.png")), empty) << option;
     }
     Scratch folder;
 };

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "tests/cli/run.h"
+#include "tests/pattern.h"
 
 namespace snell::test {
 namespace {
@@ -25,11 +25,9 @@ std::vector<fs::path> lessons() {
 
 // "4.3 of 10 points" of a page, in their order.
 std::vector<double> points_told(const std::string& page) {
-    static const std::regex told("([0-9.]+)\\s+of\\s+10\\s+points");
     const std::string text = page.substr(std::min(page.find("## Submissions"), page.size()));
     std::vector<double> points;
-    for (std::sregex_iterator at(text.begin(), text.end(), told), end; at != end; ++at)
-        points.push_back(std::stod((*at)[1]));
+    for (const auto& told : matches(text, R"(([0-9.]+)\s+of\s+10\s+points)")) points.push_back(std::stod(told[1]));
     return points;
 }
 
@@ -75,7 +73,7 @@ struct Emptied {
 std::vector<Emptied> emptied() {
     const auto becomes = [](const std::string& now) { return [now](const std::string&) { return now; }; };
     const auto behind_lines = [](const std::string& lines, const std::string& added) {
-        return [=](const std::string& text) { return std::regex_replace(text, std::regex(lines), "$&\n" + added); };
+        return [=](const std::string& text) { return replaced(text, lines, "&\n" + added); };
     };
     return {{"rubbish", ".frag", becomes("rubbish")},
             {"discard", ".frag", becomes("void main() { discard; }")},
@@ -85,7 +83,7 @@ std::vector<Emptied> emptied() {
             {"program-only", ".glib",
              [](const std::string& text) {
                  const std::string drawing = "(Sphere|Quad|Box|Teapot|glBegin|glVertex|glEnd)";
-                 return std::regex_replace(text, std::regex("\n *" + drawing + "[^\n]*"), "");
+                 return replaced(text, "\n *" + drawing + "[^\n]*", "");
              }},
             {"blank", ".glib", becomes("")}};
 }
@@ -106,7 +104,7 @@ void make_emptied(const fs::path& from, const fs::path& to, const Emptied& one) 
 // depend on their size. Pictures of the size that the rubric has are drawn by the examples of README.md.
 nlohmann::json grades(const Scratch& folder) {
     const std::string rubric = bytes_of(folder.path("rubric.toml")),
-                      small = std::regex_replace(rubric, std::regex("\nsize = \"[0-9x]+\""), "\nsize = \"64x64\"");
+                      small = replaced(rubric, "\nsize = \"[0-9x]+\"", "\nsize = \"64x64\"");
     EXPECT_NE(small, rubric);
     folder.write("rubric.toml", small);
     const Outcome outcome = snell("grade " + folder.path("rubric.toml") + " " + folder.path("submissions") + " -o " +

@@ -1,4 +1,5 @@
 #include "tests/compatibility/cases.h"
+#include "tests/pattern.h"
 #include "tests/scratch.h"
 
 #include <epoxy/gl.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -44,14 +44,13 @@ void fill(Files& files, const fs::path& folder, const std::string& plain) {
 }
 
 std::string word_after(const std::string& text, const std::string& key) {
-    std::smatch match;
-    return std::regex_search(text, match, std::regex(key + R"(\s+(\w+))")) ? match[1].str() : std::string();
+    const auto found = test::matches(text, key + R"(\s+(\w+))");
+    return found.empty() ? std::string() : found[0][1];
 }
 
 GLenum input_primitive(const std::string& geometry, const std::string& named) {
-    std::smatch match;
     std::string kind = named;
-    if (std::regex_search(geometry, match, std::regex(R"(layout\s*\(([^)]*)\)\s*in\b)"))) kind = match[1];
+    if (const auto found = test::matches(geometry, R"(layout\s*\(([^)]*)\)\s*in\b)"); !found.empty()) kind = found[0][1];
     const auto has = [&](const char* word) { return kind.find(word) != std::string::npos; };
     if (has("triangles_adjacency")) return GL_TRIANGLES_ADJACENCY;
     if (has("lines_adjacency")) return GL_LINES_ADJACENCY;

@@ -1,7 +1,6 @@
 // Shaders in the names of gstap.h and in the built-in ones are the same picture.
-#include <regex>
-
 #include "tests/harness/harness.h"
+#include "tests/pattern.h"
 
 namespace snell::test {
 namespace {
@@ -11,9 +10,9 @@ protected:
     Gstap() { request = GetParam(); }
 
     static std::string in_built_in_names(std::string text) {
-        text = std::regex_replace(text, std::regex(R"(\bu(\w+Matrix(Inverse)?)\b)"), "gl_$1");
-        text = std::regex_replace(text, std::regex(R"(\baTexCoord(\d))"), "gl_MultiTexCoord$1");
-        return std::regex_replace(text, std::regex(R"(\ba(Vertex|Normal|Color)\b)"), "gl_$1");
+        text = replaced(text, R"(\bu(\w+Matrix(Inverse)?)\b)", "gl_$");
+        text = replaced(text, "\\baTexCoord([0-9])", "gl_MultiTexCoord$");
+        return replaced(text, R"(\ba(Vertex|Normal|Color)\b)", "gl_$");
     }
     struct Shaders {
         std::string vertex, fragment, geometry;

@@ -1,4 +1,5 @@
 #include "tests/torture/tree.h"
+#include "tests/pattern.h"
 #include "tests/scratch.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <regex>
 #include <sstream>
 
 namespace snell::torture {
@@ -77,14 +77,13 @@ std::vector<Subject> subjects_in(const fs::path& folder, const std::vector<std::
 
 // "uA 1. uB [.5 .5 .5]" for what the text declares.
 std::string values_for(const std::string& text) {
-    static const std::regex declared(R"(uniform\s+(\w+)\s+(\w+))");
     const std::map<std::string, std::string> values{
         {"float", "<0. .5 1.>"},   {"int", "1"},       {"bool", "<true>"},  {"vec2", "[.5 .5]"}, {"vec3", "[.5 .5 .5]"},
         {"vec4", "{.5 .5 .5 1.}"}, {"sampler2D", "5"}, {"samplerCube", "6"}};
     std::string said;
-    for (std::sregex_iterator at(text.begin(), text.end(), declared), end; at != end; ++at)
-        if (const auto value = values.find((*at)[1]); value != values.end())
-            said += " " + (*at)[2].str() + " " + value->second;
+    for (const auto& declared : test::matches(text, R"(uniform\s+(\w+)\s+(\w+))"))
+        if (const auto value = values.find(declared[1]); value != values.end())
+            said += " " + declared[2] + " " + value->second;
     return said;
 }
 
