@@ -368,6 +368,17 @@ TEST(Controls, AUniformThatIsDeclaredIsNotMistyped) {
                         "'Block.k' belongs to a uniform block, which no scene can set: it is 0"}));
 }
 
+TEST(Controls, ARangeBelowZeroNamesWhatATypeHolds) {
+    const Scene scene = scene_with({{"Glass", {value_of("uN", Kind::range, {-3, 0, 10})}}});
+    ActiveUniform whole = active("uint");
+    whole.name = "uN";
+    Diagnostics diagnostics;
+    const Controls controls = make_controls(scene, {{whole}}, diagnostics);
+    ASSERT_EQ(codes_of(diagnostics), Codes{"range-limited"});
+    EXPECT_EQ(diagnostics.items()[0].message, "range of 'uN': a uint has no values below 0; 0 to 10 is used");
+    EXPECT_EQ(controls.items[0].min, 0);
+}
+
 TEST(Controls, FailedProgramKeepsItsValuesQuietly) {
     const Scene scene =
         scene_with({{"Glass",

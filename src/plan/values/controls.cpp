@@ -347,8 +347,9 @@ private:
         const Range limited = limit_range(range, control.type);
         if (limited.min != range.min || limited.max != range.max) {
             warn_range("range-limited", written,
-                       fmt::format("it exceeds the range of a {}; {} to {} is used", type_name(uniform), limited.min,
-                                   limited.max));
+                       fmt::format("a {} has no values {} {}; {} to {} is used", type_name(uniform),
+                                   limited.min != range.min ? "below" : "above",
+                                   limited.min != range.min ? limited.min : limited.max, limited.min, limited.max));
         }
         if (limited.min == limited.max) {
             warn_range("range-empty", written, "minimum and maximum are equal, so there is no slider");
