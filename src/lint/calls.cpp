@@ -180,7 +180,9 @@ std::optional<Value> Walker::call_number(std::string_view name, const std::vecto
     } else if (name == "clamp") {
         v.range = smaller(larger(x, range(1)), range(2));
     } else if (name == "saturate" || name == "smoothstep" || name == "step" || name == "fract") {
-        v.range = {0, 1, false, false};
+        const bool all = name == "fract" && x.real_lo && x.real_hi && x.hi - x.lo >= 1;
+        v.range = {0, 1, all, all};
+        v.name = given[0].v.name;
     } else if (name == "sin" || name == "cos") {
         v.range = between(-1, 1);
         if (given[0].v.varies == Varies::no && x.lo == x.hi) v.range = {-1, 1, false, false};

@@ -77,6 +77,7 @@ Walker::Expr Walker::result(int node) {
         case Form::assign: {
             e = evaluate(inside[0]);
             assign(e, evaluate(inside[1]), n.text);
+            note_reasons(e.slot, inside[1]);
             e.slot = -1;
             return e;
         }
@@ -118,8 +119,7 @@ void Walker::assign(Expr& target, const Expr& value, std::string_view op) {
 
 Walker::Expr Walker::choose(const std::vector<int>& parts) {
     const Expr condition = evaluate(parts[0]);
-    for (int k = at(parts[0]).begin; k <= parts[0]; ++k)
-        if (at(k).form == Form::name) conditions_.insert(at(k).text);
+    for (const Node* name : conditioned(at(parts[0]).begin, parts[0])) conditions_.insert(name->text);
     Expr a = evaluate(parts[1]);
     const Expr b = evaluate(parts[2]);
     conditions_end(parts[0]);
@@ -167,6 +167,7 @@ Value Walker::combine(const glsl::Type& type, const Value& a, const Value& b, st
     v.id = fresh();
     v.refracted = a.refracted || b.refracted;
     v.varies = together(a.varies, b.varies);
+    if (v.name.empty()) v.name = a.name.empty() ? b.name : a.name;
     return v;
 }
 

@@ -65,6 +65,8 @@ Value of_attribute(glsl::Attribute attribute) {
     } else if (attribute == glsl::Attribute::normal || attribute == glsl::Attribute::tangent) {
         v.space = Space::object;
         v.length = Length::unit;
+    } else if (attribute == glsl::Attribute::texcoord) {
+        v.range = between(0, 1);
     }
     return v;
 }

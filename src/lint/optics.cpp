@@ -173,7 +173,9 @@ void Walker::call_pow(const std::vector<Expr>& given, int first, int last) {
     const Difference& difference = base.v.difference;
     const bool squared_difference = difference.first >= 0 && !base.v.range.real_lo && base.v.range.lo < 0 && even;
     if (!(base.v.range.lo < 0 && base.v.range.real_lo) && !squared_difference) return;
-    if (compared(base.first, base.last) || (squared_difference && compared(difference.first, difference.last))) return;
+    if (compared(base.first, base.last) || conditions_.contains(base.v.name) ||
+        (squared_difference && compared(difference.first, difference.last)))
+        return;
     const bool by_rounding = base.v.range.lo > -1e-5;
     report(Rule::pow_of_negative, base.first, base.last,
            fmt::format("'{}' can be {}: pow() is undefined there", words(base.first, base.last),

@@ -19,9 +19,11 @@ constexpr std::array table{
               "`RenderToCube`",
               "work in world coordinates: with uModelViewerMatrix, or turn the direction back with "
               "mat3(uViewMatrixInverse)"},
-    RuleFacts{index_as_ratio, warning, "index-as-ratio", "an-index-is-not-a-ratio",
-              "an index of refraction above 1 as third argument of `refract`, for light that comes from the eye",
-              "refract() takes n1/n2: give it 1. divided by the index, for light that enters"},
+    RuleFacts{
+        index_as_ratio, warning, "index-as-ratio", "an-index-is-not-a-ratio",
+        "an index of refraction above 1 as third argument of `refract`, for light that comes from the eye; what is an "
+        "index is known by its name: eta, ior, index or refrac in it",
+        "refract() takes n1/n2: give it 1. divided by the index, for light that enters"},
     RuleFacts{program_not_drawn, warning, "program-not-drawn", "a-program-draws-what-follows-it",
               "a `Program` that no geometry follows", "write the geometry after it"},
     RuleFacts{shadowed_uniform, warning, "shadowed-uniform", "one-name-one-thing",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "parser/text/ranges.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::lint {
@@ -49,22 +50,40 @@ Walker::State Walker::merge(State a, const State& b) const {
     return a;
 }
 
-// A number that was compared with something is no longer known to be as small or as large as it may have been.
-void Walker::condition_on(int first, int last) {
+// The names in a condition, and in what its bools were set to.
+std::vector<const Node*> Walker::conditioned(int first, int last) const {
+    std::vector<const Node*> names;
     for (int k = first; k <= last; ++k) {
         if (at(k).form != Form::name) continue;
-        conditions_.insert(at(k).text);
-        if (at(k).variable < 0 || slot(at(k).variable).constant) continue;
-        Value& value = slot(at(k).variable).value;
+        names.push_back(&at(k));
+        if (const auto found = reasons_.find(at(k).variable); found != reasons_.end())
+            names.insert(names.end(), found->second.begin(), found->second.end());
+    }
+    return names;
+}
+
+void Walker::note_reasons(int variable, int value) {
+    constexpr std::size_t most = 64;
+    if (variable < 0 || slot(variable).value.type.base != glsl::Base::boolean) return;
+    std::vector<const Node*>& reasons = reasons_[variable];
+    for (const Node* name : conditioned(at(value).begin, value))
+        if (reasons.size() < most && ranges::count(reasons, name) == 0) reasons.push_back(name);
+}
+
+// A number that was compared with something is no longer known to be as small or as large as it may have been.
+void Walker::condition_on(int first, int last) {
+    for (const Node* name : conditioned(first, last)) {
+        conditions_.insert(name->text);
+        if (name->variable < 0 || slot(name->variable).constant) continue;
+        Value& value = slot(name->variable).value;
         value.range = {};
         value.difference = {};
     }
 }
 
 void Walker::conditions_end(int node) {
-    for (int k = at(node).begin; k <= node; ++k)
-        if (const auto found = conditions_.find(at(k).text); at(k).form == Form::name && found != conditions_.end())
-            conditions_.erase(found);
+    for (const Node* name : conditioned(at(node).begin, node))
+        if (const auto found = conditions_.find(name->text); found != conditions_.end()) conditions_.erase(found);
 }
 
 void Walker::branch(int node) {
@@ -178,6 +197,7 @@ void Walker::local(int node) {
     if (n.type.dims > 0) value = Value{};
     value.type = n.type;
     slot(n.variable).value = value;
+    for (const int part : parts(node)) note_reasons(n.variable, part);
 }
 
 void Walker::statement(int node) {

@@ -76,8 +76,10 @@ private:
     void forget(int slot);
     bool of_interest(int first, int last) const;
     State merge(State a, const State& b) const;
+    std::vector<const glsl::Node*> conditioned(int first, int last) const;
     void condition_on(int first, int last);
     void conditions_end(int node);
+    void note_reasons(int variable, int value);
     // Calls `each` for every variable that the nodes may store something in.
     void each_stored(int first, int last, const std::function<void(int variable)>& each) const;
 
@@ -158,6 +160,7 @@ private:
     int perhaps_ = 0;     // branches, and loops of unknown rounds, around: what stands there may never run
     int nonuniform_ = 0;  // branches around that only some fragments take
     std::multiset<std::string_view> conditions_;  // names in conditions around, or behind which some path ended
+    std::map<int, std::vector<const glsl::Node*>> reasons_;  // names in what a bool was ever set to, by variable
 
     struct Schlick {
         int first, last;

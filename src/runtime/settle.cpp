@@ -148,16 +148,22 @@ bool Runtime::Impl::link_alone() {
             const Draw& draw = plan.scene.draws[item.index];
             LinkedProgram* const linked = program_of(pass, draw);
             if (!linked || linked->alone.size() == linked->settled.size()) continue;
+            // Without one, as where a driver refuses the constant, nothing is known to be left out.
+            const auto names = [&](const LinkedProgram* of) {
+                std::vector<std::string> all;
+                for (const ActiveUniform& uniform : of ? of->active : active[draw.program]) all.push_back(uniform.name);
+                return all;
+            };
+            if (!linked->general) {
+                linked->general = names(link_for(pass, draw, {}).get());
+                return true;
+            }
             const glsl::Settled& settled = linked->settled[linked->alone.size()];
-            const bool read = ranges::count(active[draw.program], settled.name, &ActiveUniform::name) > 0;
+            const bool read = ranges::count(*linked->general, settled.name) > 0;
             std::vector<glsl::Settled> values = linked->settled;
             for (glsl::Settled& other : values)  // of two numbers only the larger is known: it decides nothing
                 if (other.name != settled.name) other.values.push_back(other.values.front());
-            const auto alone = read ? link_for(pass, draw, std::move(values)) : nullptr;
-            std::vector<std::string>& names = linked->alone.emplace_back();
-            // Without it, as where a driver refuses the constant, nothing is known to be left out.
-            for (const ActiveUniform& uniform : alone ? alone->active : active[draw.program])
-                names.push_back(uniform.name);
+            linked->alone.push_back(names(read ? link_for(pass, draw, std::move(values)).get() : nullptr));
             return true;
         }
     return false;

@@ -121,6 +121,12 @@ constexpr Mistake mistakes[] = {
      "#version 330 compatibility\nvoid main() {\n    vex3 c = vec3(1., 0., 0.);\n    gl_FragColor = vec4(c, "
      "1.);\n}\n",
      "demo.frag:3:5 vex3", "'vex3' is not a type", "'vec3'"},
+    {"type of a size that is not there",
+     "#version 330 compatibility\nvoid main() {\n    vec5 c = vec5(1.);\n    gl_FragColor = vec4(1.);\n}\n",
+     "demo.frag:3:5 vec5", "'vec5' is not a type", "vec2, vec3 and vec4"},
+    {"type of another language",
+     "#version 330 compatibility\nvoid main() {\n    string c;\n    gl_FragColor = vec4(1.);\n}\n",
+     "demo.frag:3:5 string", "'string' is not a type", ""},
     {"too few components",
      "#version 330 compatibility\nin vec3 vNormal;\nvoid main() {\n    gl_FragColor = vec4(vNormal);\n}\n",
      "demo.frag:4:20 vec4", "too few components", "vec3 and a float"},

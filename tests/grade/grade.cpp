@@ -398,9 +398,27 @@ TEST_F(Grade, WhatDidNotChangeIsKept) {
         EXPECT_TRUE(grade("r.toml s -o out").says("4 submissions, 3 of them judged before")) << file;
         EXPECT_TRUE(fs::exists(picture)) << picture;
     }
+    const std::string cut = at("out/" + result("ann")["folder"].get<std::string>() + "/picture-0.png");
+    fs::resize_file(cut, 100);
+    EXPECT_TRUE(grade("r.toml s -o out").says("4 submissions, 3 of them judged before"));
+    EXPECT_GT(fs::file_size(cut), 100U);
     EXPECT_TRUE(fs::remove(at("out/reference/picture-0.png")));
     grade("r.toml s -o out");
     EXPECT_TRUE(fs::exists(at("out/reference/picture-0.png")));
+}
+
+TEST_F(Grade, ReportsAreNoSubmissionsNorParts) {
+    folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
+    scene("s/ann");
+    for (const std::string where : {"s/report", "s/ann/report"}) {
+        EXPECT_TRUE(grade("r.toml s -o " + where).says("1 submission, 0 of them judged before")) << where;
+        EXPECT_TRUE(grade("r.toml s -o " + where).says("1 submission, 1 of them judged before")) << where;
+    }
+    EXPECT_TRUE(grade("r.toml s -o out").says("not submissions: 'report' (a report)"));
+    EXPECT_TRUE(grade("r.toml s/ann -o out").says("1 submission,"));
+    // Work with a page that looks like one's is work.
+    scene("s/report/students/ann");
+    EXPECT_TRUE(grade("r.toml s -o out").says("2 submissions,"));
 }
 
 TEST_F(Grade, AProgramThatWasBuiltAgainKeepsNothing) {

@@ -142,6 +142,30 @@ TEST(LintPow, OfANormalAlongAnAxis) {
     expect_silent(body("gl_FragColor = vec4(pow(dot(normalize(texture(uSky, vN).rgb), vec3(1.)), 2.));"));
 }
 
+// One mistake, whether the middle is a slider or a number of the text.
+TEST(LintPow, OfWhatIsLeftOrRightOfThePicturesMiddle) {
+    const auto shader = [](std::string_view statements) {
+        return lint("Vertex a.vert\nFragment a.frag\nProgram P uAd <.01 .1 .5>\nQuadXY\n",
+                    {{"a.vert",
+                      "varying vec2 vST;\nvoid main() { vST = gl_MultiTexCoord0.st; gl_Position = "
+                      "gl_ModelViewProjectionMatrix * gl_Vertex; }\n"},
+                     {"a.frag", "varying vec2 vST;\nuniform float uAd;\nvoid main() {\nfloat r = uAd;\n" +
+                                    std::string(statements) + "\ngl_FragColor = vec4(r);\n}\n"}});
+    };
+    for (const std::string_view d : {"vST.s - uAd", "vST.s - .5", "2. * vST.s - 1.", "(vST.t - .5) / uAd",
+                                     "2. * (vST.s - uAd) + .1", "-vST.s - .1", "fract(8. * vST.s) - .5"}) {
+        const std::string ds = "float ds = " + std::string(d) + ";\n";
+        EXPECT_EQ(shader(ds + "r += pow(ds, 2.);").at("pow-of-negative"), Places{"ds"}) << d;
+        for (const std::string_view guard :
+             {"if (ds >= 0.) r = pow(ds, 2.);", "bool right = ds >= 0.;\nif (right) r = pow(ds, 2.);",
+              "bool right = false;\nright = right || ds > 0.;\nr = right ? pow(ds, 2.) : 0.;",
+              "if (vST.s > .5 && vST.t > .5) r = pow(ds, 2.);", "r = pow(abs(ds), 2.);"})
+            expect_silent(shader(ds + std::string(guard)));
+    }
+    expect_silent(shader("r = pow(1. - vST.s, 5.) + pow(vST.t, 2.) + pow(.6 - .5 * vST.s, 2.);"));
+    expect_silent(shader("r = pow(vST.s * uAd, 2.) + pow(fract(vST.s) + .1, 2.);"));
+}
+
 TEST(LintPow, OfAQuotientOfSliders) {
     const std::string_view f0 = "gl_FragColor = vec4(pow((1. - uEta) / (1. + uEta), 2.));";
     EXPECT_EQ(body(f0, "uEta <.1 1.1 5.>").at("pow-of-negative"), Places{"(1. - uEta) / (1. + uEta)"});

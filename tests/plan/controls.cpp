@@ -336,6 +336,35 @@ TEST(Controls, BehindALadderUnusedIsNoMistakeUnlessItLooksLikeOne) {
     EXPECT_NE(diagnostics.items()[0].message.find("uMxi"), std::string::npos);
 }
 
+// What no text has but a declaration is no rung's.
+TEST(Controls, BehindALadderWhatNoTextUsesIsTold) {
+    Scene scene = scene_with({{"Glass",
+                               {value_of("uD", Kind::range, {0, .3, 1}), value_of("uOther", Kind::range, {0, .3, 1}),
+                                value_of("uNo", Kind::range, {0, .5, 1})}}});
+    scene.programs[0].ladders = 1;
+    ActiveUniform kd = active("float");
+    kd.name = "uKd";
+    const auto told = [&](const std::string& text) {
+        Sources sources;
+        scene.programs[0].span.file = sources.add("a.glib", "Program Glass uD <0. .3 1.> uOther <0. .3 1.> uNo 1.");
+        const FileId file = sources.add("dir/a.frag", text);
+        Declared declared{sources, {{{"uD", "float"}, {"uOther", "float"}}}};
+        for (glsl::DeclaredUniform& one : declared.programs[0]) one.span = {file, 15, 17};
+        Diagnostics diagnostics;
+        make_controls(scene, {{kd}}, diagnostics, &declared);
+        std::vector<std::string> said;
+        for (const Diagnostic& one : diagnostics.items()) said.push_back(one.message);
+        return said;
+    };
+    const std::string text =
+        "\nuniform float uD, uOther, uKd;\n#include \"dir/a.frag\"\n#ifdef MODE_other\nfloat f() { return uOther; "
+        "}\n#endif\n";
+    EXPECT_EQ(told(text), (std::vector<std::string>{"'uD' is declared in a.frag:2 and never used",
+                                                    "no shader of program 'Glass' declares 'uNo'"}));
+    EXPECT_EQ(told(text + "#ifdef MODE_other\n#include <more.glsl>\n#endif\n"), std::vector<std::string>{});
+    EXPECT_EQ(told(text + "// uD uNo\n"), std::vector<std::string>{});
+}
+
 TEST(Controls, AUniformThatIsDeclaredIsNotMistyped) {
     const Scene scene = scene_with(
         {{"Glass",
@@ -366,6 +395,17 @@ TEST(Controls, AUniformThatIsDeclaredIsNotMistyped) {
                         "'uKd' is a float[4], which has no '[7]'", "no shader of program 'Glass' declares 'uNo'",
                         "'uW' is declared in a.frag:2 but no '[1].k' of it changes what is drawn",
                         "'Block.k' belongs to a uniform block, which no scene can set: it is 0"}));
+}
+
+TEST(Controls, ARangeBelowZeroNamesWhatATypeHolds) {
+    const Scene scene = scene_with({{"Glass", {value_of("uN", Kind::range, {-3, 0, 10})}}});
+    ActiveUniform whole = active("uint");
+    whole.name = "uN";
+    Diagnostics diagnostics;
+    const Controls controls = make_controls(scene, {{whole}}, diagnostics);
+    ASSERT_EQ(codes_of(diagnostics), Codes{"range-limited"});
+    EXPECT_EQ(diagnostics.items()[0].message, "range of 'uN': a uint has no values below 0; 0 to 10 is used");
+    EXPECT_EQ(controls.items[0].min, 0);
 }
 
 TEST(Controls, FailedProgramKeepsItsValuesQuietly) {

@@ -102,6 +102,21 @@ TEST_F(Explained, OtherValuesSayHowLargeAFactorIs) {
     EXPECT_EQ(names(explanation.switched_off[0], Kind::image), Names{"Texture2D 5 t1.bmp"});
 }
 
+TEST_F(Explained, WhatNothingNeedsAnywayIsSwitchedOffByNoValue) {
+    auto document =
+        settle("Texture2D 5 t1.bmp\n" + quad("uniform sampler2D uOwn;\nuniform float uMix, uDead;",
+                                             "float dead = uDead * vST.t;\nvec3 c = vec3(.5);\n"
+                                             "if (uMix > 0.) c += texture(uOwn, vST).rgb;\ngl_FragColor = vec4(c, 1.);",
+                                             "uOwn 5 uMix <0. 0. 1.> uDead <0. .5 1.>"));
+    const Explanation explanation = explain(*document);
+    ASSERT_EQ(explanation.switched_off.size(), 1U);
+    EXPECT_EQ(explanation.switched_off[0].uniform, "uMix");
+    EXPECT_EQ(names(explanation.switched_off[0], Kind::uniform), Names{});
+    EXPECT_EQ(names(explanation.switched_off[0], Kind::sampler), Names{"sampler2D uOwn"});
+    EXPECT_TRUE(unused(explanation, "uDead of P"));
+    EXPECT_FALSE(unused(explanation, "uOwn") || unused(explanation, "uMix"));
+}
+
 // Another row for each value that alone switches it off, and for the other uniforms that nothing reads then.
 TEST_F(Explained, NoiseAndUniformsAreNamed) {
     auto document =

@@ -136,6 +136,21 @@ TEST(GlslPreprocess, OnlyParenthesesProtectCommasOfArguments) {
     EXPECT_EQ(text, "voidmain(){x[0+1];max(2.,3.)+x[1];}");
 }
 
+TEST(GlslPreprocess, AnotherNumberOfArgumentsIsAnError) {
+    const auto told = [](const std::string& call) {
+        return fragment(
+                   "#define SUM(a, b) a + b\n#define ONE(a) a\n#define NONE() 1.\n#define TWICE(a) SUM(a)\n"
+                   "void main() { float x[2] = float[2](1., 2.); gl_FragColor = vec4(" +
+                   call + "); }\n")
+            .count("macro-arguments");
+    };
+    for (const std::string call :
+         {"SUM(1., 2., 3.)", "SUM(1.)", "SUM(x[0, 1], 2.)", "ONE(1., 2.)", "NONE(1.)", "TWICE(1.)"})
+        EXPECT_EQ(told(call), 1) << call;
+    for (const std::string call : {"SUM(1., max(2., 3.))", "ONE((1., 2.))", "NONE()", "vec4(1.) ONE()"})
+        EXPECT_EQ(told(call), 0) << call;
+}
+
 TEST(GlslPreprocess, HostileMacrosEnd) {
     std::string bomb = "#define A0 x x x x x x x x x x\n";
     for (int n = 1; n < 30; ++n)

@@ -15,6 +15,8 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/progress.h"
+#include "src/content/files.h"
+#include "src/content/image/module.h"
 #include "src/content/workers.h"
 
 namespace snell::app {
@@ -155,8 +157,7 @@ private:
                     !record.maps[part->map].empty() && !record.submission.empty())
                     names.push_back(fmt::format("reference-{}.png", part->than));
         return ranges::all_of(names, [&](const std::string& name) {
-            std::error_code error;
-            return name.empty() || fs::is_regular_file(fs::path(folder) / name, error);
+            return name.empty() || content::is_whole(name, content::whole_file((fs::path(folder) / name).string()), {});
         });
     }
 

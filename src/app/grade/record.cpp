@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
+#include <fstream>
 #include <vector>
 
 #include "src/content/files.h"
@@ -153,8 +154,10 @@ bool is_made_by_judging(const std::string& name) {
 
 bool is_report_page(const fs::path& page) {
     std::error_code error;
-    return fs::is_regular_file(page, error) &&
-           content::whole_file(page.string()).find("content=\"snell grade\"") != std::string::npos;
+    if (!fs::is_regular_file(page, error)) return false;
+    std::string head(1024, ' ');
+    std::ifstream(page, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+    return head.find("content=\"snell grade\"") != std::string::npos;
 }
 
 // A run that was killed has removed the record before it writes another, but not the page.
@@ -197,6 +200,11 @@ bool may_hold_report(const std::string& output) {
     const fs::path page = fs::path(output) / "index.html";
     // A run that was killed has left no page, but made the lock before anything else.
     return fs::exists(page, error) ? is_report_page(page) : fs::is_regular_file(fs::path(output) / lock_name, error);
+}
+
+bool is_report(const std::string& folder) {
+    std::error_code error;
+    return fs::is_regular_file(fs::path(folder) / lock_name, error) && may_hold_report(folder);
 }
 
 void remove_judged(const std::string& folder) {

@@ -70,6 +70,9 @@ std::string submission_in(const std::string& folder);
 // Whether it is a report, or one that was begun, or a folder without anything in it. Files of others are left alone.
 bool may_hold_report(const std::string& output);
 
+// Whether it is a report, or one that was begun.
+bool is_report(const std::string& folder);
+
 // Removes the record and the pictures from the folder of a submission or the reference, and nothing else.
 void remove_judged(const std::string& folder);
 

@@ -53,6 +53,15 @@ bool mentions(std::string_view text, std::string_view name, bool folder) {
     return false;
 }
 
+// A scene or an archive is somebody's work.
+bool holds_work(const fs::path& folder) {
+    const FoundScene found = find_scene({folder.string()}, {});
+    return !found.scene.empty() || !found.several.empty() || !found.archives.empty();
+}
+
+// What grading made, and nobody has put work into.
+bool is_only_a_report(const fs::path& folder) { return is_report(folder.string()) && !holds_work(folder); }
+
 // What is in a folder next to its scenes.
 class Neighbours {
 public:
@@ -73,6 +82,8 @@ public:
                 leave_out(path, "named by the rubric");
             else if (is_hidden(path.filename().string()))
                 leave_out(path, "hidden, or of the system");
+            else if (is_only_a_report(path))
+                leave_out(path, "a report");
             else
                 (is_scene(path) && file ? scenes : others).push_back(path);
         }
@@ -115,12 +126,6 @@ private:
                 return true;
             });
         }
-    }
-
-    // A scene or an archive is somebody's work.
-    static bool holds_work(const fs::path& folder) {
-        const FoundScene found = find_scene({folder.string()}, {});
-        return !found.scene.empty() || !found.several.empty() || !found.archives.empty();
     }
 };
 
@@ -205,7 +210,7 @@ void add_files(const fs::path& path, std::string& all) {
     if (!fs::is_directory(path, error)) files.push_back(path.string());
     content::walk(path, [&files](const fs::path& entry, fs::file_status status, int) {
         if (fs::is_regular_file(status)) files.push_back(entry.string());
-        return content::Walk::on;
+        return fs::is_directory(status) && is_only_a_report(entry) ? content::Walk::past : content::Walk::on;
     });
     ranges::sort(files);
     for (const std::string& file : files) {

@@ -4,26 +4,38 @@
 #include <algorithm>
 #include <cctype>
 
+#include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
 namespace {
 
-// `vex3 a`: two names in a row, of which the first is no type.
-bool hint_unknown_type(std::string_view type, const Span& span, Diagnostic& diagnostic) {
+// `vec5`: no size of such a type is nearer than another.
+std::string sizes_of(std::string_view type) {
+    if (type.empty() || type.back() < '0' || type.back() > '9') return {};
+    const std::string_view family = type.substr(0, type.size() - 1);
+    for (const std::string_view one : {"vec", "ivec", "uvec", "bvec", "mat"})
+        if (same_word(family, one)) return fmt::format("there are {0}2, {0}3 and {0}4", one);
+    return {};
+}
+
+// `vex3 a`: two names in a row, of which the first is no type. `first`: they begin a statement.
+bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diagnostic& diagnostic) {
     std::string_view meant = type == "real" ? "float" : foreign_type(type);
-    if (meant.empty()) {
+    const std::string sizes = meant.empty() && !builtin_type(lowered(type)) ? sizes_of(type) : "";
+    if (meant.empty() && sizes.empty()) {
         meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
                                "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
                                "bvec4",       "mat2",  "mat3",    "mat4",    "sampler1D", "sampler2D", "sampler3D",
                                "samplerCube", "const", "uniform", "varying", "attribute", "return"});
     }
-    if (meant.empty() || meant == type) return false;
+    if (meant == type || (meant.empty() && sizes.empty() && (!first || builtin_type(type)))) return false;
     diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
-    diagnostic.help = fmt::format("did you mean '{}'?", meant);
+    diagnostic.help = meant.empty() ? sizes : fmt::format("did you mean '{}'?", meant);
     diagnostic.span = span;
-    diagnostic.fixes = {{span, std::string(meant)}};
+    if (!meant.empty()) diagnostic.fixes = {{span, std::string(meant)}};
     return true;
 }
 
@@ -195,7 +207,11 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
         if (hint_words(a, place, diagnostic)) return;
         const bool two_names =
             a.at > 0 && a.all[a.at - 1].name && a.all[a.at].name && a.all[a.at - 1].line == a.all[a.at].line;
-        if (two_names && hint_unknown_type(a.before(), a.span(place.file, a.at - 1), diagnostic)) return;
+        const std::string_view ahead = a.at > 1 ? a.word(a.at - 2) : std::string_view();
+        const bool first = (ahead.empty() || ahead == ";" || ahead == "{" || ahead == "}") &&
+                           ranges::none_of(context.texts.declared(place.file),
+                                           [&](const Declared& d) { return d.name == a.before(); });
+        if (two_names && hint_unknown_type(a.before(), a.span(place.file, a.at - 1), first, diagnostic)) return;
         if (hint_brackets(a, diagnostic)) return;
     }
     const std::size_t brace = unclosed_brace(text);

@@ -189,13 +189,15 @@ std::size_t directive_end(std::string_view text, std::size_t i) {
     return std::min(i, text.size());
 }
 
-bool has_word(std::string_view text, std::string_view word) {
+std::size_t count_word(std::string_view text, std::string_view word) {
+    std::size_t count = 0;
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const std::size_t end = at + word.size();
-        if ((at == 0 || !identifier_part(text[at - 1])) && (end == text.size() || !identifier_part(text[end])))
-            return true;
+        const bool whole =
+            (at == 0 || !identifier_part(text[at - 1])) && (end == text.size() || !identifier_part(text[end]));
+        count += whole ? 1 : 0;
     }
-    return false;
+    return count;
 }
 
 }  // namespace snell::glsl

@@ -37,7 +37,8 @@ Lexeme lex(std::string_view text, std::size_t from);
 bool identifier_start(char c);
 bool identifier_part(char c);
 bool blank(char c);
-// Whether the word is in the text, and no part of another.
-bool has_word(std::string_view text, std::string_view word);
+// How often the word is in the text, without those that are a part of another.
+std::size_t count_word(std::string_view text, std::string_view word);
+inline bool has_word(std::string_view text, std::string_view word) { return count_word(text, word) > 0; }
 
 }  // namespace snell::glsl

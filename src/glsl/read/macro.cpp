@@ -1,5 +1,7 @@
 #include "src/glsl/read/macro.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -47,6 +49,7 @@ std::vector<MacroToken> macro_tokens(std::string_view text) {
 
 bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out) {
     std::vector<std::string_view> active;
+    misused_.clear();
     return expand(in, out, active);
 }
 
@@ -78,6 +81,13 @@ std::optional<MacroArguments> read_arguments(const std::vector<MacroToken>& in, 
     return std::nullopt;
 }
 
+// "" or what is wrong. F() is a call with one argument, which is empty, or with none.
+std::string misuse(std::string_view name, const Macro& macro, const MacroArguments& arguments) {
+    const std::size_t takes = macro.parameters.size(), given = arguments.each.size();
+    if (takes == given || (takes == 0 && given == 1 && arguments.each.front().empty())) return {};
+    return fmt::format("the macro '{}' takes {} argument{}, not {}", name, takes, takes == 1 ? "" : "s", given);
+}
+
 }  // namespace
 
 bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out,
@@ -100,6 +110,8 @@ bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& 
             ++i;
             continue;
         }
+        if (arguments) misused_ = misuse(t.text, *macro, *arguments);
+        if (!misused_.empty()) return false;
         std::size_t next = arguments ? arguments->end : i + 1;
         std::vector<MacroToken> replaced;
         if (!substitute(*macro, arguments ? arguments->each : decltype(arguments->each){}, replaced, active))

@@ -34,8 +34,10 @@ public:
     const Macro* find(std::string_view name) const;
     bool defined(std::string_view name);  // the operator of #if
 
-    // Replaces macros in `in` until none is left. Gives up, returning false, past a bound on size or depth.
+    // Replaces macros in `in` until none is left. Gives up, returning false, past a bound on size or depth, and where a
+    // macro has another number of arguments than it takes: then `misused` says so.
     bool expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out);
+    const std::string& misused() const { return misused_; }
     // The value of the condition; nothing where it is malformed.
     std::optional<bool> condition(std::string_view text, int line);
 
@@ -58,6 +60,7 @@ private:
     std::size_t budget_ = 200'000;
     bool asked_context_ = false;
     bool pasted_ = false;
+    std::string misused_;
 };
 
 std::vector<MacroToken> macro_tokens(std::string_view text);

@@ -165,8 +165,12 @@ bool Preprocessor::invocation(const Lexeme& name) {
     while (true) {
         out.clear();
         if (!macros_.expand(macro_tokens(text_.substr(at_, end - at_)), out)) {
-            diagnostics_.error("macro-too-large", span(at_, at_ + name.text.size()),
-                               "the expansion of this macro is too large or too deep");
+            const Span where = span(at_, at_ + name.text.size());
+            if (macros_.misused().empty())
+                diagnostics_.error("macro-too-large", where, "the expansion of this macro is too large or too deep");
+            else
+                diagnostics_.error("macro-arguments", where, macros_.misused(),
+                                   "every comma separates two arguments, unless it is within parentheses");
             return false;
         }
         // The expansion may end in the name of a function-like macro whose arguments follow.

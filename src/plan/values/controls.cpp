@@ -11,6 +11,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
+#include "src/glsl/read/lexer.h"
 #include "src/plan/values/declared.h"
 
 namespace snell {
@@ -136,11 +137,42 @@ private:
         control->initial = control->value;
     }
 
-    // If the program depends on a ladder, another rung may use what this one does not. The name is then reported only
-    // if it resembles one that is used but not listed, because that suggests a typing error.
+    // Whether another rung may use the name: shaders have it besides its declaration, in comments or elsewhere, or
+    // include a file that only another rung reads.
+    bool other_rung_may_use(Index program, std::string_view name) const {
+        if (scene_.programs[program].ladders == 0) return false;
+        if (declared_ == nullptr) return true;
+        const Sources& sources = declared_->sources;
+        std::size_t named = 0;
+        for (FileId file = 0; file < sources.size(); ++file) {
+            if (ranges::any_of(scene_.programs, [&](const Program& one) { return one.span.file == file; })) continue;
+            const std::string_view text = sources.text(file);
+            if (includes_more(text)) return true;
+            named += glsl::count_word(text, name);
+        }
+        return named > (find_declared(program, name) == nullptr ? 0 : 1);
+    }
+
+    bool includes_more(std::string_view text) const {
+        for (std::size_t at = text.find("include"); at != text.npos; at = text.find("include", at + 1)) {
+            const std::string_view rest = text.substr(at, text.find('\n', at) - at);
+            const std::size_t open = rest.find_first_of("\"<");
+            const std::string_view name = open == rest.npos ? rest : rest.substr(open + 1);
+            const std::string_view file = name.substr(0, name.find_first_of("\">"));
+            const std::string_view last = file.substr(file.rfind('/') + 1);
+            bool read = open == rest.npos;
+            for (FileId other = 0; other < declared_->sources.size(); ++other)
+                read = read || declared_->sources.name(other).ends_with(last);
+            if (!read) return true;
+        }
+        return false;
+    }
+
+    // If another rung may use what this one does not, the name is reported only if it resembles one that is used but
+    // not listed, because that suggests a typing error.
     void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
-        const bool laddered = scene_.programs[program].ladders > 0;
         const std::string_view base = std::string_view(written.name).substr(0, written.name.find_first_of(".["));
+        const bool laddered = other_rung_may_use(program, base);
         if (const auto* whole = find_declared(program, written.name); whole != nullptr && whole->in_block) {
             report_unknown(
                 written, fmt::format("'{}' belongs to a uniform block, which no scene can set: it is 0", written.name))
@@ -347,8 +379,9 @@ private:
         const Range limited = limit_range(range, control.type);
         if (limited.min != range.min || limited.max != range.max) {
             warn_range("range-limited", written,
-                       fmt::format("it exceeds the range of a {}; {} to {} is used", type_name(uniform), limited.min,
-                                   limited.max));
+                       fmt::format("a {} has no values {} {}; {} to {} is used", type_name(uniform),
+                                   limited.min != range.min ? "below" : "above",
+                                   limited.min != range.min ? limited.min : limited.max, limited.min, limited.max));
         }
         if (limited.min == limited.max) {
             warn_range("range-empty", written, "minimum and maximum are equal, so there is no slider");

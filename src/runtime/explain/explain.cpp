@@ -200,6 +200,15 @@ private:
         });
     }
 
+    // By some form of the program. What programs for any values read is known once one was linked.
+    bool is_read(Index program, std::string_view uniform) const {
+        const auto named = [&](std::string_view active) { return uniform.starts_with(active); };
+        for (const auto& [key, linked] : impl_.programs)
+            if (key.first == program && linked && linked->general && ranges::none_of(*linked->general, named))
+                return false;
+        return ranges::any_of(impl_.active[program], named, &ActiveUniform::name);
+    }
+
     void unused() {
         for (Index i = 0; i < scene_.textures.size(); ++i)
             if (!impl_.textures.find(i) && !impl_.dormant_textures.contains(impl_.textures.first(i)) &&
@@ -211,8 +220,7 @@ private:
             if (!program_draws_.contains(i))
                 result_.unused.push_back({"Program " + program.name, "nothing is drawn with it", program.span});
             for (const UniformValue& uniform : program.uniforms)
-                if (ranges::none_of(impl_.active[i],
-                                    [&](const ActiveUniform& a) { return uniform.name.starts_with(a.name); }))
+                if (!is_read(i, uniform.name))
                     result_.unused.push_back({fmt::format("{} of {}", uniform.name, program.name),
                                               "no stage reads it: it is not active", uniform.span});
         }
@@ -404,7 +412,8 @@ private:
         const auto off = [&](const auto& stays) {
             std::vector<const ActiveUniform*> inactive;
             for (const ActiveUniform& uniform : impl_.active[program])
-                if (!stays(uniform.name)) inactive.push_back(&uniform);
+                if (!stays(uniform.name) && !(linked.general && ranges::count(*linked.general, uniform.name) == 0))
+                    inactive.push_back(&uniform);
             return inactive;
         };
         Explanation::SwitchedOff row{program, scene_.programs[program].name, "", "", {}, {}, {}};

@@ -59,7 +59,8 @@ struct LinkedProgram {
     std::vector<ActiveUniform> active;
     std::vector<glsl::DeclaredUniform> declared;
     std::vector<glsl::Settled> settled;  // uniforms that are constants in it
-    // By `settled`, as far as anyone asked: the uniforms that are active if only this one is a constant.
+    // As far as anyone asked: the uniforms that are active if none is a constant; by `settled`, if only this one is.
+    std::optional<std::vector<std::string>> general;
     std::vector<std::vector<std::string>> alone;
     std::vector<SystemUniform> system;
     std::optional<DrawContext> shown;  // what `system` was set from last
