@@ -75,6 +75,21 @@ Texture make_texture(GLenum target, std::span<const Texels> images, const Sampli
     return texture;
 }
 
+Texture make_words(int width, int height) {
+    Texture texture(make(glGenTextures));
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, width, height, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+    set_levels(GL_TEXTURE_2D, {Sampling::Mode::nearest, 1, true});
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return texture;
+}
+
+void fill_words(GLuint buffer, int width, int height) {
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling) {
     return make_texture(target, {&texels, 1}, sampling);
 }

@@ -44,6 +44,9 @@ Texture make_cube_levels(const std::vector<std::array<Texels, 6>>& levels);
 void replace_cube_levels(GLuint texture, const std::vector<std::array<Texels, 6>>& levels);
 // Reads the faces of level 0 as RGBA bytes, in the order of rows in which they were uploaded.
 std::array<std::vector<std::byte>, 6> read_cube(GLuint texture, int size);
+// A texture of four whole numbers of 32 bits a texel, and its texels from a buffer; it must be bound.
+Texture make_words(int width, int height);
+void fill_words(GLuint buffer, int width, int height);
 void generate_mipmaps(GLenum target, GLuint texture);
 
 // A sampler object keeps wrapping apart from the texture, so that one texture can be clamped in one draw and repeated

@@ -79,8 +79,9 @@ struct Options {
     bool wide_lines = false;
     // gl_FragCoord is that of the whole picture where only a part of it is drawn: `snell_Place` is added.
     bool placed = false;
-    // The context has no geometry stage: see Translation::emulated.
-    bool without_geometry = false;
+    // The context has no more stages than OpenGL ES 3.0: see Translation::tessellation and ::geometry.
+    bool without_stages = false;
+    int patch_vertices = 3;  // then: of each patch
     // A number or truth value that is written as a constant: to see what drivers make of its values, never to draw.
     std::optional<Settled> constant;
     int color_outputs = 1;  // render targets at once: gl_FragColor is written to each
@@ -128,24 +129,39 @@ struct EmulatedGeometry {
     StageOutput count, capture;
     std::vector<std::string> counted, captured;  // what transform feedback writes, interleaved
     std::string input, output;                   // primitives, as layouts name them
-    int corners = 3;                             // vertices of an input primitive
     int invocations = 1;
     int vertices = 1;            // that one run of `capture` writes
     std::vector<bool> integral;  // of the slots of one vertex, four components each: whole numbers
+};
+
+// The stages up to the evaluation stage as two vertex shaders, for contexts that have no tessellation
+// (forms/tessellation.cpp). `control` runs `runs` times for each patch, and writes `slots` times four whole numbers in
+// each run; the first six of a patch are the bits of its outer and inner levels. All together are the texture
+// `stage_patches`, which the evaluation stage reads: a vertex shader, whose attribute is (u, v, number of the patch).
+struct EmulatedTessellation {
+    StageOutput control;
+    std::vector<std::string> captured;
+    int runs = 1, slots = 1;
+    int corners = 3;              // vertices of a patch
+    std::string domain, spacing;  // as layouts name them
+    bool clockwise = false, points = false;
 };
 // What these shaders read: texels of the mesh's attributes, `stage_attributes` of each vertex in the order of
 // Attribute; the indices of its primitives, four a texel; the first primitive of the draw, and whether the mesh has
 // colours.
 inline constexpr std::string_view stage_vertices = "snell_StageVertices", stage_primitives = "snell_StagePrimitives",
-                                  stage_range = "snell_StageRange";
+                                  stage_range = "snell_StageRange", stage_patches = "snell_StagePatches";
 inline constexpr int stage_attributes = 5;
 
 struct Translation {
     bool ok = false;  // false: diagnostics hold at least one error
     std::vector<StageOutput> stages;
-    // Where Options::without_geometry replaced a geometry stage. The vertex shader among `stages` hands on what was
-    // captured: its attributes are the slots, by their numbers.
-    std::optional<EmulatedGeometry> emulated;
+    // Where Options::without_stages replaced tessellation: the vertex shader among `stages`, or that which
+    // `geometry` was made from, is the evaluation stage.
+    std::optional<EmulatedTessellation> tessellation;
+    // Where it replaced a geometry stage. The vertex shader among `stages` hands on what was captured: its attributes
+    // are the slots, by their numbers.
+    std::optional<EmulatedGeometry> geometry;
     std::vector<UniformDefault> defaults;
     std::vector<RenamedUniform> renamed;
     std::vector<DeclaredUniform> declared;  // stage by stage, as the texts declare them; each once

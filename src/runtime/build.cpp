@@ -157,6 +157,7 @@ void Runtime::Impl::link_programs(Loading& loading, Declared& declared) {
             if (draw.program == none || used[draw.program]) continue;
             used[draw.program] = true;
             first[draw.program] = {scene.rasters[draw.raster].flat, false, outputs_of(pass, caps), {}};
+            first[draw.program].patch = patch_of(draw);
         }
     for (Index i = 0; i < scene.programs.size(); ++i) {
         tell(LoadProgress::Stage::programs, scene.programs[i].name, i, scene.programs.size());
@@ -225,12 +226,31 @@ void Runtime::Impl::find_live_passes(Loading& loading) {
 runtime::Variant Runtime::Impl::variant_of(Index pass, const Draw& draw) const {
     runtime::Variant variant{
         plan.scene.rasters[draw.raster].flat, false, outputs_of(plan.scene.passes[pass], caps), {}};
+    variant.patch = patch_of(draw);
     if (draw.program != none) variant.rungs = working[draw.program].value_or(rungs_of(draw.program));
     if (!parts || plan.scene.passes[pass].kind != Pass::Kind::window) return variant;
     variant.settled = draw.program == none ? 0 : settled_values;
     const auto whole = programs.find({draw.program, variant});
     variant.placed = whole != programs.end() && whole->second && whole->second->reads_place;
     return variant;
+}
+
+// Until the mesh is there, by what is written.
+int Runtime::Impl::patch_of(const Draw& draw) const {
+    const auto tessellates = [](const glsl::StageInput& stage) { return stage.stage == Stage::tess_evaluation; };
+    if (caps.tessellation || draw.program == none || ranges::none_of(plan.programs[draw.program].stages, tessellates))
+        return 0;
+    const Index mesh = plan.draw_mesh[&draw - plan.scene.draws.data()];
+    const auto of = [](Topology topology, int patch_vertices) {
+        return topology == Topology::patches ? patch_vertices : static_cast<int>(runtime::facts_of(topology).least);
+    };
+    if (mesh == none) return 3;
+    if (mesh < meshes.size() && meshes[mesh]) return of(meshes[mesh]->topology, meshes[mesh]->patch_vertices);
+    if (const auto* list = std::get_if<VertexList>(&draw.shape)) {
+        const VertexListData& data = plan.scene.vertex_lists[list->list];
+        return of(data.topology, data.patch_vertices);
+    }
+    return plan.meshes[mesh].wire ? 2 : std::holds_alternative<PointCloud>(draw.shape) ? 1 : 3;
 }
 
 void Runtime::Impl::ready_passes(Loading& loading) {
@@ -314,6 +334,11 @@ std::optional<ReadyDraw> Runtime::Impl::ready_draw(Index pass, Index index, Load
     std::optional<content::Mesh> loaded;
     ready_mesh(ready.mesh, loaded, loading);
     const auto& mesh = meshes[ready.mesh];
+    if (const int patch = patch_of(draw); patch != variant.patch) {
+        variant.patch = patch;
+        ready.program = link(draw.program, variant, loading);
+        if (!ready.program) return std::nullopt;
+    }
     variant.wide = raster.line_width > static_cast<double>(caps.max_line_width) &&
                    runtime::facts_of(mesh->topology).input == GL_LINES && !ready.program->geometry_input &&
                    !ready.program->tessellates;

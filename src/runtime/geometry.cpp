@@ -60,20 +60,23 @@ void Runtime::Impl::ready_mesh(Index mesh, std::optional<content::Mesh>& loaded,
     store->trees.put(identity.key, trees[mesh], {}, {}, 0);
 }
 
-// The mesh as textures, for vertex shaders that stand for a geometry stage. `mesh` as in bind_tree.
+// The mesh as textures, for vertex shaders that stand for other stages. `mesh` as in bind_tree.
 void Runtime::Impl::ready_stages(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading) {
     const Index program = plan.scene.draws[ready.draw].program;
     for (const auto& part : ready.program->parts) ready.part_controls.push_back(controls_of(program, *part));
-    ready.stages = std::make_shared<runtime::StageDraw>();
+    if (ready.program->tessellation)
+        ready.patches = std::make_shared<runtime::PatchDraw>();
+    else
+        ready.stages = std::make_shared<runtime::StageDraw>();
     runtime::GpuMesh& gpu = *meshes[ready.mesh];
     if (gpu.stages) return;
     Diagnostics unheard;
     const content::Mesh again = mesh ? content::Mesh{} : load_mesh(plan, ready.mesh, loading.files, unheard);
-    gpu.stages = runtime::stage_mesh(mesh ? *mesh : again, caps);
+    gpu.stages = runtime::stage_mesh(mesh ? *mesh : again, caps.max_texture);
     if (!gpu.stages) {
         loading.diagnostics.error("mesh-too-large", plan.scene.draws[ready.draw].span,
-                                  "this OpenGL has no geometry shaders, and the mesh is too large for the textures by "
-                                  "which it would do without them");
+                                  "this OpenGL lacks stages of the program, and the mesh is too large for the textures "
+                                  "by which it would do without them");
         return;
     }
     counters.gpu_bytes += gpu.stages->bytes;

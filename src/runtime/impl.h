@@ -9,6 +9,7 @@
 
 #include "src/gl/target.h"
 #include "src/runtime/resources/mesh.h"
+#include "src/runtime/resources/patches.h"
 #include "src/runtime/resources/program.h"
 #include "src/runtime/resources/stages.h"
 #include "src/runtime/resources/state.h"
@@ -69,7 +70,8 @@ struct ReadyDraw {
     const content::Harmonics* harmonics = nullptr;  // where the program reads them
     std::vector<Index> controls;                    // of the program's uniforms, as LinkedProgram::user
     std::vector<std::vector<Index>> part_controls;  // of those of LinkedProgram::parts
-    std::shared_ptr<StageDraw> stages;              // where the program has parts
+    std::shared_ptr<StageDraw> stages;              // where vertex shaders stand for a geometry stage
+    std::shared_ptr<PatchDraw> patches;             // and where they stand for tessellation
 };
 
 // An item that reads what another pass renders.
@@ -163,6 +165,8 @@ struct Runtime::Impl {
     void load_all(Loading& loading);
     std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Loading& loading);
     runtime::Variant variant_of(Index pass, const Draw& draw) const;
+    // As Variant::patch.
+    int patch_of(const Draw& draw) const;
     bool match_topology(runtime::ReadyDraw& ready, const runtime::GpuMesh& mesh, Diagnostics& diagnostics);
     void ready_target(Index pass, Diagnostics& diagnostics);
 

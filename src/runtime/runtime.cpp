@@ -422,7 +422,7 @@ void Runtime::Impl::set_up(const ReadyDraw& ready, const Frame& frame, PassView&
 void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
     LinkedProgram& program = *ready.program;
     const runtime::GpuMesh& mesh = *meshes[ready.mesh];
-    if (ready.mode == GL_PATCHES) gl::beyond::patch_vertices(ready.patch_vertices);
+    if (ready.mode == GL_PATCHES && !ready.patches) gl::beyond::patch_vertices(ready.patch_vertices);
     const auto face = [&](int index) {
         program.in_turn([&](LinkedProgram& part, std::size_t) {
             state.program(part.program.get());
@@ -430,8 +430,11 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
         });
     };
     const auto elements = [&](std::uint32_t first, std::uint32_t count, std::size_t part) {
-        if (ready.stages)
-            ready.stages->draw(program, mesh, part, draw_color(ready), state, samples ? &*samples : nullptr);
+        gl::AnySamples* const query = samples ? &*samples : nullptr;
+        if (ready.patches)
+            ready.patches->draw(program, mesh, part, draw_color(ready), state, query);
+        else if (ready.stages)
+            ready.stages->draw(program, *mesh.stages, part, mesh.has_color, draw_color(ready), 0, state, query);
         else
             glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                            reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));

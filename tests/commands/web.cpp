@@ -80,8 +80,7 @@ TEST_F(Web, WhatBrowsersLackIsRefusedAtItsPlace) {
                  "#version 430\nlayout(rgba8) uniform writeonly image2D uOut;\n"
                  "void main() { imageStore(uOut, ivec2(0), vec4(1.)); gl_FragColor = vec4(1.); }\n");
     folder.write("image.glib", "Fragment image.frag\nProgram P\nQuadXY 0. 1.\n");
-    const std::map<std::string, std::string> refused{{cases + "TessControl.glib", "TessControl.glib:5:13: error: "},
-                                                     {cases + "Shp.glib", "Shp.glib:4:1: error: "},
+    const std::map<std::string, std::string> refused{{cases + "Shp.glib", "Shp.glib:4:1: error: "},
                                                      {at("buffer.glib"), "buffer.frag:1:"},
                                                      {at("image.glib"), "image.frag:2:"}};
     for (const auto& [scene, place] : refused) {
@@ -97,10 +96,12 @@ TEST_F(Web, WhatBrowsersLackIsRefusedAtItsPlace) {
 }
 
 // Vertex shaders stand for them (tests/resources/stages.cpp, and the browser's pictures).
-TEST_F(Web, GeometryShadersHavePages) {
-    const Outcome made = web("'" SNELL_ROOT "/tests/cases/Geometry.glib' -o p.html");
-    EXPECT_EQ(made.status, 0) << made.output;
-    EXPECT_FALSE(made.says("error")) << made.output;
+TEST_F(Web, GeometryAndTessellationHavePages) {
+    for (const std::string scene : {"cases/Geometry", "cases/TessControl"}) {
+        const Outcome made = web("'" SNELL_ROOT "/tests/" + scene + ".glib' -o p.html");
+        EXPECT_EQ(made.status, 0) << made.output;
+        EXPECT_FALSE(made.says("error")) << made.output;
+    }
 }
 
 // An error of the scene is no fault of browsers.
@@ -262,19 +263,6 @@ TEST_F(Web, OneOfTwoProgramsOfANameIsBakedByItsNumber) {
     const Outcome made = web("s.glib -o p.html --baked 'P#2.uA' --steps 2");
     ASSERT_EQ(made.status, 0) << made.output;
     EXPECT_EQ(unpack("p.html", "un")["baked"]["axes"][0]["control"]["key"], "P#2.uA");
-}
-
-// Others lack the shaders; pictures do not.
-TEST_F(Web, BakedIsTheWayOutForTessellation) {
-    const Outcome made =
-        web("'" SNELL_ROOT "/tests/cases/TessControl.glib' -o p.html --baked uLevel --steps 3 --size 64x48");
-    ASSERT_EQ(made.status, 0) << made.output;
-    const json data = unpack("p.html", "un");
-    EXPECT_EQ(data["baked"]["pictures"].size(), 3u);
-    EXPECT_EQ(data["baked"]["width"], 64);
-    const std::string first = bytes_of(at("un/" + data["baked"]["pictures"][0].get<std::string>()));
-    EXPECT_EQ(first.substr(8, 4), "WEBP");
-    EXPECT_NE(first, bytes_of(at("un/" + data["baked"]["pictures"][2].get<std::string>())));
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ from table import BUGS, DRIVERS, EXCEPTIONS, QUICK, REFUSED_BY_ES30, RUNGS, TEST
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ALLOWED = .001  # of the pixels may differ by more than 2 of 255
-SAID = {"stage-unsupported": "a stage that this OpenGL does not have",
-        "wireframe-unsupported": "faces instead of wireframes", "thin-lines": "thin lines"}
+SAID = {"wireframe-unsupported": "faces instead of wireframes", "thin-lines": "thin lines"}
 
 
 def read(path):

@@ -50,7 +50,6 @@ RUNGS = [("scenes/light/crystal/crystal.glib", "BEND=mesh")]
 
 # What OpenGL ES 3.0 lacks, by scene: the message that says so. All others are the same.
 REFUSED_BY_ES30 = {
-    **dict.fromkeys("NumPatchVertices ObjPatch TessControl TessEvaluation".split(), "stage-unsupported"),
     "Wireframe": "wireframe-unsupported",  # no glPolygonMode
 }
 

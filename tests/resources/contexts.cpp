@@ -31,21 +31,11 @@ protected:
 
 std::string case_file(std::string_view command) { return SNELL_ROOT "/tests/cases/" + std::string(command) + ".glib"; }
 
-TEST_F(Context33, AStageThatIsMissingIsReportedAtItsStatement) {
-    if (caps.tessellation) GTEST_SKIP() << "this driver gives more than was asked for";
-    auto document = open_file(case_file("TessEvaluation"));
-    ASSERT_TRUE(has(*document, "stage-unsupported"));
-    const Diagnostic& error = document->diagnostics.items().front();
-    EXPECT_EQ(document->sources.position(error.span.file, error.span.begin).line, 5);  // TessControl
-    draw(*document);
-}
-
 TEST_F(Context33, TheCasesLookTheSame) {
     std::string error;
     for (const Command& command : commands()) {
         SCOPED_TRACE(command.name);
         auto document = open_file(case_file(command.name));
-        if (has(*document, "stage-unsupported")) continue;
         expect_clean(*document);
         const Picture here = draw(*document);
         EXPECT_LT(here.count(here.at(1, 1)), 64 * 64 - 10);

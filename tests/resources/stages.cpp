@@ -4,7 +4,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/runtime/resources/stages.h"
-#include "tests/harness/harness.h"
+#include "tests/resources/without_stages.h"
 
 namespace snell::test {
 namespace {
@@ -124,51 +124,12 @@ private:
     bool block_ = below(2) == 0, colored_ = below(2) == 0, number_ = below(3) == 0;
 };
 
-class Stages : public GlTest {
-protected:
-    // How many pixels are others by more than 8 of 255.
-    int far(Document& native, Document& emulated) {
-        const Picture a = draw(native), b = draw(emulated);
-        int count = 0;
-        for (int y = 0; y < a.height; ++y)
-            for (int x = 0; x < a.width; ++x) count += near(a.at(x, y), b.at(x, y), 8) ? 0 : 1;
-        return count;
-    }
+std::string geometry(unsigned seed, bool es, Folder& folder) { return RandomStages(seed, es).scene(folder); }
 
-    template <class Opened>
-    void compare(const Opened& opened) {
-        const gl::Caps whole = caps;
-        const auto native = opened();
-        gl::leave_stages(caps);
-        const auto emulated = opened();
-        caps = whole;
-        expect_clean(*native);
-        expect_clean(*emulated);
-        EXPECT_EQ(far(*native, *emulated), 0);
-    }
-
-    void compare_random(unsigned first) {
-        const char* const wanted = std::getenv("SNELL_RANDOM_STAGES");
-        const int all = wanted ? std::atoi(wanted) : 12;
-        int drawn = 0;
-        for (int i = 0; i < all; ++i) {
-            SCOPED_TRACE(first + static_cast<unsigned>(i));
-            const std::string scene = RandomStages(first + static_cast<unsigned>(i), caps.es).scene(folder);
-            compare([&] { return open(scene); });
-            const Picture picture = draw(scene);
-            drawn += picture.count({0, 0, 0, 0}) < picture.width * picture.height ? 1 : 0;
-        }
-        EXPECT_GT(drawn, all / 2) << "most of them draw something";
-    }
-};
-
-class StagesEs : public Stages {
-protected:
-    StagesEs() { request.es = true; }
-};
-
-TEST_F(Stages, RandomGeometryShadersDrawWhatTheDriverDraws) { compare_random(1); }
-TEST_F(StagesEs, RandomGeometryShadersDrawWhatTheDriverDraws) { compare_random(10001); }
+TEST_F(Stages, RandomGeometryShadersDrawWhatTheDriverDraws) { compare_random("SNELL_RANDOM_STAGES", 12, 1, geometry); }
+TEST_F(StagesEs, RandomGeometryShadersDrawWhatTheDriverDraws) {
+    compare_random("SNELL_RANDOM_STAGES", 12, 10001, geometry);
+}
 
 TEST_F(Stages, CasesWithGeometryShadersDrawWhatTheDriverDraws) {
     for (const char* name : {"Geometry", "GeometryInput", "GeometryOutput", "LinesAdjacency", "ObjAdj"}) {

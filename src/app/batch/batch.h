@@ -48,7 +48,7 @@ struct RenderOptions {
     int frames = 0;                 // frame k is at time + k / fps; 0: not an animation
     double fps = 25;
     std::string context;          // OpenGL version: "", "3.3", "4.1", "4.5", "es3.2" …
-    bool without_stages = false;  // as if it had no geometry shaders
+    bool without_stages = false;  // as if it had no geometry and tessellation shaders
     bool quiet = false;
     bool specialise = true;  // programs are compiled for the values that all pictures have
     Access access;

@@ -308,7 +308,7 @@ void add_drawing(CLI::App& command, RenderOptions& render) {
     command.add_flag("-q,--quiet", render.quiet, "print errors only, no warnings");
     add_context(command, render.context);
     command.add_flag("--without-stages", render.without_stages,
-                     "do without the driver's geometry shaders, as where it has none");
+                     "do without the driver's geometry and tessellation shaders, as where it has none");
 }
 
 Run runner(std::shared_ptr<RenderOptions> options) {

@@ -110,8 +110,12 @@ bool widens_lines(const Program& program);
 // Its text; makes the shaders on both sides give and take what it hands on. Nothing where it isn't wanted or,
 // with a warning, not possible.
 std::optional<std::string> widen_lines(Program& program);
-// Replaces the geometry stage of a translated program, as Options::without_geometry says.
+// Replaces stages of a translated program, as Options::without_stages says.
+void emulate_stages(Program& program, Translation& translation);
+void emulate_tessellation(Program& program, Translation& translation);
 void emulate_geometry(Program& program, Translation& translation);
+// OpenGL ES has no other point size than the one that shaders write.
+void give_point_size(Unit& vertex);
 // Asks Options::settle, after declared_uniforms.
 void choose_settled(Program& program);
 // What the settled uniforms decide is written as decided, and the other marks go (read/marks.cpp).

@@ -84,8 +84,9 @@ void want_extensions(const Target& target, Unit& u) {
     if (doubles && target.fp64) u.wanted_extensions.emplace_back("GL_ARB_gpu_shader_fp64");
 }
 
-// OpenGL ES has no other point size than the one that shaders write. Where the scene's size counts and not the
-// shader's, as PointSizeMode says, it is above 0.
+}  // namespace
+
+// Where the scene's size counts and not the shader's, as PointSizeMode says, it is above 0.
 void give_point_size(Unit& vertex) {
     if (mentions(vertex, "snell_PointSize") || mentions(vertex, "snell_FixedPointSize")) return;  // translated before
     if (mentions(vertex, "gl_PointSize")) {
@@ -96,6 +97,8 @@ void give_point_size(Unit& vertex) {
     at_main_end(vertex, "gl_PointSize = snell_PointSize;");
 }
 
+namespace {
+
 // OpenGL ES before 3.2 has the vertex and the fragment stage only, and no texture buffers.
 void refuse_late_features(const Program& program) {
     if (!program.target().es || program.target().version >= 320) return;
@@ -105,8 +108,7 @@ void refuse_late_features(const Program& program) {
             program.diagnostics.error("unsupported-type", u.span(static_cast<int>(buffer - u.tokens.begin())),
                                       "OpenGL ES 3.0 has no texture buffers (samplerBuffer)",
                                       "they are in OpenGL 3.1 and OpenGL ES 3.2");
-        if (u.stage != Stage::vertex && u.stage != Stage::fragment &&
-            (u.stage != Stage::geometry || !program.options.without_geometry))
+        if (u.stage != Stage::vertex && u.stage != Stage::fragment && !program.options.without_stages)
             program.diagnostics.error("unsupported-stage", u.reference,
                                       "OpenGL ES 3.0 has no geometry and tessellation shaders");
     }
@@ -167,7 +169,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     out.renamed = std::move(program.renamed);
     out.declared = std::move(program.declared);
     out.settled = std::move(program.settled);
-    if (options.without_geometry && diagnostics.errors() == errors) emulate_geometry(program, out);
+    if (options.without_stages && diagnostics.errors() == errors) emulate_stages(program, out);
     out.ok = diagnostics.errors() == errors;
     return out;
 }

@@ -27,20 +27,6 @@ GLenum gl_stage(Stage stage) {
 
 namespace {
 
-bool stages_supported(const LinkRequest& request, Diagnostics& diagnostics) {
-    const gl::Caps& caps = request.caps;
-    bool ok = true;
-    for (const glsl::StageInput& stage : request.stages) {
-        const bool tessellation = stage.stage == Stage::tess_control || stage.stage == Stage::tess_evaluation;
-        if (!tessellation || caps.tessellation) continue;
-        ok = false;
-        diagnostics.error("stage-unsupported", stage.reference,
-                          fmt::format("program '{}' needs tessellation shaders, which this OpenGL ({}) does not have",
-                                      request.program.name, caps.version));
-    }
-    return ok;
-}
-
 std::vector<gl::AttributeLocation> attribute_locations(const std::vector<glsl::AttributeName>& names) {
     std::vector<gl::AttributeLocation> locations;
     for (const auto& name : names) locations.push_back({name.name, static_cast<GLuint>(name.attribute)});
@@ -56,7 +42,8 @@ GLenum input_of(std::string_view primitive) {
 }
 
 void note_geometry(LinkedProgram& linked, const glsl::Translation& translation) {
-    if (translation.emulated) linked.geometry_input = input_of(translation.emulated->input);
+    if (translation.geometry) linked.geometry_input = input_of(translation.geometry->input);
+    linked.tessellates = translation.tessellation.has_value();
     for (const auto& stage : translation.stages) {
         if (stage.stage == Stage::tess_evaluation) linked.tessellates = true;
         if (stage.stage != Stage::geometry) continue;
@@ -80,7 +67,8 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     for (const glsl::Settled& settled : translation.settled) add(fmt::format("{}={}", settled.name, settled.values[0]));
     add(fmt::format("{}{}", translation.uses_alpha, translation.plain_depth));
     add(translation.placed_by);
-    if (translation.emulated) add(translation.emulated->capture.text);
+    if (translation.tessellation) add(translation.tessellation->control.text);
+    if (translation.geometry) add(translation.geometry->capture.text);
     std::vector<std::string_view> names;
     for (const UniformValue& uniform : program.uniforms) names.push_back(uniform.name);
     ranges::sort(names);
@@ -154,7 +142,10 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
     options.flat_color = request.variant.flat;
     options.wide_lines = request.variant.wide;
     options.placed = request.variant.placed;
-    options.without_geometry = !request.caps.geometry;
+    const auto tessellates = [](const glsl::StageInput& stage) { return stage.stage == Stage::tess_evaluation; };
+    options.without_stages =
+        !request.caps.geometry || (!request.caps.tessellation && ranges::any_of(request.stages, tessellates));
+    options.patch_vertices = request.variant.patch;
     options.defines = ladder_defines(request.ladders, request.variant.rungs);
     options.color_outputs = request.variant.outputs;
     // Also for any values: all forms of a program keep the same numbers from being folded.
@@ -197,11 +188,15 @@ std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Tra
     return linked;
 }
 
-// Returns false, with a diagnostic, if a program that counts or captures cannot be made.
+// Returns false, with a diagnostic, if a program whose outputs are captured cannot be made.
 bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Translation& translation,
                Diagnostics& diagnostics) {
-    const glsl::EmulatedGeometry& form = *translation.emulated;
-    const auto stages = {std::pair(&form.count, &form.counted), std::pair(&form.capture, &form.captured)};
+    std::vector<std::pair<const glsl::StageOutput*, const std::vector<std::string>*>> stages;
+    if (const auto& form = translation.tessellation) stages.emplace_back(&form->control, &form->captured);
+    if (const auto& form = translation.geometry) {
+        stages.emplace_back(&form->count, &form->counted);
+        stages.emplace_back(&form->capture, &form->captured);
+    }
     for (const auto& [stage, written] : stages) {
         std::string log;
         auto& part = linked.parts.emplace_back(std::make_unique<LinkedProgram>());
@@ -219,7 +214,8 @@ bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Tr
         part->blocks = zeros_for_blocks(part->program.get());
         part->stage_range = glGetUniformLocation(part->program.get(), glsl::stage_range.data());
     }
-    linked.emulated = form;
+    linked.tessellation = translation.tessellation;
+    linked.geometry = translation.geometry;
     join_parts(linked);
     return true;
 }
@@ -228,7 +224,6 @@ bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Tr
 
 std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnostics& diagnostics) {
     const Stopwatch watch;
-    if (!stages_supported(request, diagnostics)) return nullptr;
     const glsl::Translation translation = translate(request, diagnostics);
     if (!translation.ok) return nullptr;
     const std::string key = key_of(request.program, translation);
@@ -249,8 +244,9 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     linked->settled = translation.settled;
     note_geometry(*linked, translation);
     find_uniforms(*linked, request.program, translation, request.caps);
-    if (translation.emulated && !add_parts(*linked, request, translation, diagnostics)) return nullptr;
-    assign_units(*linked);
+    const bool emulated = translation.tessellation || translation.geometry;
+    if (emulated && !add_parts(*linked, request, translation, diagnostics)) return nullptr;
+    if (!emulated) assign_units(*linked);
     linked->blocks = zeros_for_blocks(linked->program.get());
     linked->load_ms = watch.milliseconds();
     if (request.store) request.store->programs.put(key, linked, {}, none_said, 0);
@@ -324,7 +320,7 @@ glsl::Translation Code::translated(const Control& slider, double value) const {
 }
 
 std::string Code::with(const glsl::Translation& translation) {
-    if (!translation.ok || translation.settled.empty() || translation.emulated) return {};
+    if (!translation.ok || translation.settled.empty() || translation.tessellation || translation.geometry) return {};
     std::vector<gl::Compiled> compiled;
     std::vector<const gl::Shader*> shaders;
     const std::string remark = fmt::format("\n// {} {}\n", run_, links_++);

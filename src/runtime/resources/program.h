@@ -76,11 +76,13 @@ struct LinkedProgram {
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
-    // Where vertex shaders stand for a geometry stage: the programs that count and capture (stages.h). `active` and
+    // Where vertex shaders stand for other stages: the programs whose outputs are captured. That of tessellation
+    // (patches.h) comes first, those that count and capture what is emitted (stages.h) come last. `active` and
     // `samplers` have theirs, too.
-    std::optional<glsl::EmulatedGeometry> emulated;
+    std::optional<glsl::EmulatedTessellation> tessellation;
+    std::optional<glsl::EmulatedGeometry> geometry;
     std::vector<std::unique_ptr<LinkedProgram>> parts;
-    int stage_unit = 0;      // the first of GL's units that the mesh takes
+    int stage_unit = 0;      // the first of GL's units that the mesh takes: three
     GLint stage_range = -1;  // of a part: the location of glsl::stage_range
 
     bool reads(glsl::System system) const;
@@ -102,11 +104,12 @@ struct Variant {
     Rungs rungs;          // of the ladders that the program knows
     bool placed = false;  // for parts of pictures
     int settled = 0;      // 0: takes any values; else the number of the values that are constants in it
+    int patch = 0;        // vertices of a patch, where the context has no tessellation; else 0
     bool operator==(const Variant&) const = default;
     // Not by <=>, which not every standard library has for vectors yet (libc++ only since version 17).
     bool operator<(const Variant& other) const {
         const auto all = [](const Variant& v) {
-            return std::tie(v.flat, v.wide, v.outputs, v.rungs, v.placed, v.settled);
+            return std::tie(v.flat, v.wide, v.outputs, v.rungs, v.placed, v.settled, v.patch);
         };
         return all(*this) < all(other);
     }

@@ -45,6 +45,21 @@ gl::Texture texture_of(std::vector<Float4>& texels) {
                             {gl::Sampling::Mode::nearest, 1, true});
 }
 
+void fill(GLenum target, std::size_t bytes, const void* data) {
+    glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+}
+
+GLenum list_mode(std::string_view output) {
+    return output == "points" ? GL_POINTS : output == "line_strip" ? GL_LINES : GL_TRIANGLES;
+}
+
+bool is_stage_input(const std::string& name) {
+    return name == glsl::stage_vertices || name == glsl::stage_primitives || name == glsl::stage_range ||
+           name == glsl::stage_patches;
+}
+
+}  // namespace
+
 // ANGLE never ends a query in which transform feedback captures without drawing (Vulkan, SwiftShader).
 void capture(GLuint into, GLint first, GLsizei runs, gl::AnySamples* samples) {
     if (samples) samples->end();
@@ -59,21 +74,12 @@ void capture(GLuint into, GLint first, GLsizei runs, gl::AnySamples* samples) {
     if (samples) samples->begin();
 }
 
-void fill(GLenum target, std::size_t bytes, const void* data) {
-    glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
-}
-
-GLenum list_mode(std::string_view output) {
-    return output == "points" ? GL_POINTS : output == "line_strip" ? GL_LINES : GL_TRIANGLES;
-}
-
-bool is_stage_input(const std::string& name) {
-    return name == glsl::stage_vertices || name == glsl::stage_primitives || name == glsl::stage_range;
-}
-
-}  // namespace
-
-std::vector<std::uint32_t> corners_of(Topology topology, std::span<const std::uint32_t> indices) {
+std::vector<std::uint32_t> corners_of(Topology topology, std::span<const std::uint32_t> indices,
+                                      std::size_t patch_vertices) {
+    if (topology == Topology::patches) {
+        const auto whole = static_cast<std::ptrdiff_t>(indices.size() / patch_vertices * patch_vertices);
+        return {indices.begin(), indices.begin() + whole};
+    }
     const TopologyFacts& facts = facts_of(topology);
     const std::size_t all = facts.primitives(static_cast<std::uint32_t>(indices.size()));
     std::vector<std::uint32_t> corners;
@@ -94,7 +100,7 @@ std::vector<std::uint32_t> corners_of(Topology topology, std::span<const std::ui
     return corners;
 }
 
-std::shared_ptr<StageMesh> stage_mesh(const content::Mesh& mesh, const gl::Caps& caps) {
+std::shared_ptr<StageMesh> stage_mesh(const content::Mesh& mesh, int most_rows) {
     auto made = std::make_shared<StageMesh>();
     std::vector<Float4> vertices;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -104,10 +110,12 @@ std::shared_ptr<StageMesh> stage_mesh(const content::Mesh& mesh, const gl::Caps&
                                          padded(mesh.texcoords, i), padded(mesh.tangents, i)});
     }
     const std::span all(mesh.indices);
-    const auto corners = static_cast<int>(facts_of(mesh.topology).least);
+    const auto patch_vertices = static_cast<std::size_t>(mesh.patch_vertices);
+    const int corners =
+        mesh.topology == Topology::patches ? mesh.patch_vertices : static_cast<int>(facts_of(mesh.topology).least);
     std::vector<std::uint32_t> listed;
     const auto add = [&](std::span<const std::uint32_t> indices) {
-        const std::vector<std::uint32_t> more = corners_of(mesh.topology, indices);
+        const std::vector<std::uint32_t> more = corners_of(mesh.topology, indices, patch_vertices);
         const auto number = [&](std::size_t n) { return static_cast<int>(n) / corners; };
         made->parts.push_back({number(listed.size()), number(more.size())});
         listed.insert(listed.end(), more.begin(), more.end());
@@ -120,7 +128,7 @@ std::shared_ptr<StageMesh> stage_mesh(const content::Mesh& mesh, const gl::Caps&
         made->parts.push_back({0, counted});
     std::vector<Float4> primitives((listed.size() + 3) / 4);
     for (std::size_t i = 0; i < listed.size(); ++i) primitives[i / 4][i % 4] = static_cast<float>(listed[i]);
-    const std::size_t limit = content::tree_row * static_cast<std::size_t>(caps.max_texture);
+    const std::size_t limit = content::tree_row * static_cast<std::size_t>(most_rows);
     if (vertices.size() > limit || primitives.size() > limit || mesh.positions.size() >= content::tree_limit)
         return nullptr;
     made->vertices = texture_of(vertices);
@@ -154,46 +162,60 @@ void join_parts(LinkedProgram& linked) {
             if (!is_stage_input(uniform.name) && ranges::count(linked.active, uniform.name, &ActiveUniform::name) == 0)
                 linked.active.push_back(uniform);
     }
-    for (const auto& part : linked.parts) {
-        int unit = next;
-        for (SamplerUniform& sampler : part->samplers)
+    linked.in_turn([&](LinkedProgram& part, std::size_t) {
+        for (SamplerUniform& sampler : part.samplers)
             if (is_stage_input(sampler.name))
-                sampler.first_unit = sampler.name == glsl::stage_vertices ? unit : unit + 1;
-        assign_units(*part);
-    }
+                sampler.first_unit = sampler.name == glsl::stage_vertices     ? next
+                                     : sampler.name == glsl::stage_primitives ? next + 1
+                                                                              : next + 2;
+        assign_units(part);
+    });
+    std::erase_if(linked.samplers, [](const SamplerUniform& sampler) { return is_stage_input(sampler.name); });
+    std::erase_if(linked.active, [](const ActiveUniform& uniform) { return is_stage_input(uniform.name); });
     linked.stage_unit = next;
 }
 
-void StageDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t part, const Vec4& color, State& state,
-                     gl::AnySamples* samples) {
-    const StageMesh& stages = *mesh.stages;
-    const glsl::EmulatedGeometry& form = *program.emulated;
-    const StageMesh::Part& of = stages.parts[part];
-    if (parts_.size() < stages.parts.size()) parts_.resize(stages.parts.size());
+void StageMesh::bind(const LinkedProgram& program, int first_unit, const Part& of, bool has_color, State& state) const {
+    state.texture(first_unit, GL_TEXTURE_2D, vertices.get(), 0);
+    state.texture(first_unit + 1, GL_TEXTURE_2D, primitives.get(), 0);
+    state.program(program.program.get());
+    glUniform2i(program.stage_range, of.first, has_color ? 1 : 0);
+}
+
+std::vector<double> what_decides(const LinkedProgram& part, const Vec4& color) {
+    std::vector<double> numbers{color.begin(), color.end()};
+    for (const SystemUniform& uniform : part.system)
+        numbers.insert(numbers.end(), uniform.last.begin(), uniform.last.end());
+    for (const UserUniform& uniform : part.user)
+        numbers.insert(numbers.end(), uniform.last.begin(), uniform.last.end());
+    return numbers;
+}
+
+bool reads_textures(const LinkedProgram& part) {
+    return ranges::any_of(part.samplers, [](const SamplerUniform& sampler) { return !is_stage_input(sampler.name); });
+}
+
+void StageDraw::draw(LinkedProgram& program, const StageMesh& mesh, std::size_t part, bool has_color, const Vec4& color,
+                     double version, State& state, gl::AnySamples* samples) {
+    const glsl::EmulatedGeometry& form = *program.geometry;
+    const StageMesh::Part& of = mesh.parts[part];
+    LinkedProgram &counting = *program.parts.end()[-2], &capturing = *program.parts.back();
+    if (parts_.size() < mesh.parts.size()) parts_.resize(mesh.parts.size());
     auto& slot = parts_[part];
     if (!slot) slot = std::make_unique<Emitted>();
     Emitted& emitted = *slot;
-    state.texture(program.stage_unit, GL_TEXTURE_2D, stages.vertices.get(), 0);
-    state.texture(program.stage_unit + 1, GL_TEXTURE_2D, stages.primitives.get(), 0);
-    for (const auto& each : program.parts) {
-        state.program(each->program.get());
-        glUniform2i(each->stage_range, of.first, mesh.has_color ? 1 : 0);
-    }
+    for (const LinkedProgram* each : {&counting, &capturing})
+        mesh.bind(*each, program.stage_unit, of, has_color, state);
     state.color(color);
 
-    LinkedProgram& counting = *program.parts[0];
-    std::vector<double> depends{color.begin(), color.end()};
-    for (const SystemUniform& uniform : counting.system)
-        depends.insert(depends.end(), uniform.last.begin(), uniform.last.end());
-    for (const UserUniform& uniform : counting.user)
-        depends.insert(depends.end(), uniform.last.begin(), uniform.last.end());
-    const bool textured = counting.samplers.size() > 2;  // textures may have changed
-    if (textured || !emitted.array || emitted.depends != depends) {
+    std::vector<double> depends = what_decides(counting, color);
+    depends.push_back(version);
+    if (reads_textures(counting) || !emitted.array || emitted.depends != depends) {
         count(emitted, program, of, state, samples);
         emitted.depends = std::move(depends);
     }
     for (const Piece& piece : emitted.pieces) {
-        state.program(program.parts[1]->program.get());
+        state.program(capturing.program.get());
         state.vertex_array(emitted.slots_array.get());
         capture(captured_.get(), static_cast<GLint>(piece.first_slot), static_cast<GLsizei>(piece.slots), samples);
         state.program(program.program.get());
@@ -205,11 +227,11 @@ void StageDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t pa
 
 void StageDraw::count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of, State& state,
                       gl::AnySamples* samples) {
-    const glsl::EmulatedGeometry& form = *program.emulated;
+    const glsl::EmulatedGeometry& form = *program.geometry;
     const auto runs = static_cast<std::size_t>(of.count) * static_cast<std::size_t>(form.invocations);
     std::vector<std::uint32_t> counts(runs * form.counted.size());
     if (!none_) none_ = gl::VertexArray(gl::make(glGenVertexArrays));
-    state.program(program.parts[0]->program.get());
+    state.program(program.parts.end()[-2]->program.get());
     state.vertex_array(none_.get());
     const std::size_t bytes = counts.size() * sizeof(std::uint32_t);
     if (bytes > 0) {

@@ -13,8 +13,9 @@
 
 namespace snell::runtime {
 
-// The vertices of each primitive of so many indices, in the order in which a geometry stage gets them.
-std::vector<std::uint32_t> corners_of(Topology topology, std::span<const std::uint32_t> indices);
+// The vertices of each primitive of so many indices, in the order in which a stage behind the vertex stage gets them.
+std::vector<std::uint32_t> corners_of(Topology topology, std::span<const std::uint32_t> indices,
+                                      std::size_t patch_vertices = 3);
 
 // A mesh as these shaders read it.
 struct StageMesh {
@@ -24,9 +25,12 @@ struct StageMesh {
     gl::Texture vertices, primitives;
     std::vector<Part> parts;  // as GpuMesh::parts; the last one is the whole mesh
     std::size_t bytes = 0;
+
+    // For one of the programs that read it.
+    void bind(const LinkedProgram& program, int first_unit, const Part& of, bool has_color, State& state) const;
 };
-// Null if a texture of this context cannot hold it.
-std::shared_ptr<StageMesh> stage_mesh(const content::Mesh& mesh, const gl::Caps& caps);
+// Null if a texture of at most so many rows cannot hold it.
+std::shared_ptr<StageMesh> stage_mesh(const content::Mesh& mesh, int most_rows);
 
 // Shows the uniforms of LinkedProgram::parts in the program itself, and gives the samplers of all three their units:
 // one that several of them read has the same unit in each.
@@ -34,13 +38,20 @@ void join_parts(LinkedProgram& linked);
 // Links one of the parts.
 gl::Linked link_capturing(const gl::Shader& shader, const std::vector<std::string>& written, const gl::Caps& caps);
 
+// Writes what so many runs of the program in use output. `samples`: a query that is active, or null: it does not see
+// them.
+void capture(GLuint into, GLint first, GLsizei runs, gl::AnySamples* samples);
+// All numbers that decide what one of the parts writes, unless it reads textures.
+std::vector<double> what_decides(const LinkedProgram& part, const Vec4& color);
+bool reads_textures(const LinkedProgram& part);
+
 // What one draw emits. Counts are kept as long as nothing that they depend on changes.
 class StageDraw {
 public:
-    // Draws that part of the mesh. All uniforms and textures of the programs are set.
-    // `samples`: a query that is active, or null. What is captured is none of its business.
-    void draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t part, const Vec4& color, State& state,
-              gl::AnySamples* samples);
+    // Draws that part of the mesh. All uniforms and textures of the programs are set. `version`: of what the vertex
+    // stage reads besides. `samples`: as for capture().
+    void draw(LinkedProgram& program, const StageMesh& mesh, std::size_t part, bool has_color, const Vec4& color,
+              double version, State& state, gl::AnySamples* samples);
 
 private:
     // As much as one buffer holds; the rest waits for its turn.

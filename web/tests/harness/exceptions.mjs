@@ -1,13 +1,7 @@
 // What pages do not draw as the native program does, by scene.
 
-const tessellation = 'needs tessellation shaders';
-
 // Scenes that `snell web` refuses, and what it says. All others have pages.
 export const refused = {
-    NumPatchVertices: tessellation,
-    ObjPatch: tessellation,
-    TessControl: tessellation,
-    TessEvaluation: tessellation,
     Shp: 'cannot read ESRI shape files',
 };
 
