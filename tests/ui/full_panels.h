@@ -34,6 +34,7 @@ struct Panel {
     const char* name;
     const char* widget;
     void (Screens::*prepare)();
+    bool anywhere = false;  // legible even in the smallest window with large letters
 };
 
 class Screens : public UiTest, public ::testing::WithParamInterface<Panel> {

@@ -64,12 +64,26 @@ std::optional<std::string> Opener::serve(const ui::Requests& requests, const std
     }
     if (const ui::Place& place = requests.edit; !place.file.empty()) {
         const Started started = editor_.open(place.file, place.line, place.column);
-        if (started.error.empty())
+        edited_ = place;
+        if (started.error.empty()) {
             memory.notice = started.program + " opens " + file_name(place.file);
-        else
-            memory.failure = {started.error};
+            if (memory.failure.remedy == ui::Failure::Remedy::editor) memory.failure = {};
+        } else {
+            memory.failure = {started.error, ui::Failure::Remedy::editor, place};
+        }
     }
+    if (requests.set_editor) ui::open_save_as(memory.set_editor, settings_.editor);
+    if (requests.set_editor_now) set_editor(memory);
     return requests.open.empty() ? std::nullopt : scene_at(requests.open, memory);
+}
+
+void Opener::set_editor(ui::Memory& memory) {
+    settings_.editor = memory.set_editor.file.data();
+    editor_.set(settings_.editor);
+    memory.set_editor.open = false;
+    memory.failure = {};
+    memory.notice = "the editor is " + utf8::printable(editor_.name());
+    write();
 }
 
 std::optional<std::string> Opener::serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
@@ -101,7 +115,7 @@ bool Opener::look(ui::Memory& memory) {
     write();
     std::string said = editor_.look();
     if (said.empty()) return false;
-    memory.failure = {std::move(said)};
+    memory.failure = {std::move(said), ui::Failure::Remedy::editor, edited_};
     return true;
 }
 

@@ -33,7 +33,9 @@ private:
 class Opener {
 public:
     // `file` is the path of the settings.
-    explicit Opener(std::string file) : file_(std::move(file)), kept_(read_settings(file_)), settings_(kept_) {}
+    explicit Opener(std::string file) : file_(std::move(file)), kept_(read_settings(file_)), settings_(kept_) {
+        editor_.set(settings_.editor);
+    }
 
     const Settings& settings() const { return settings_; }
     // `in_use` and `revision` are those of the session; the rows are made again when the revision changes.
@@ -58,10 +60,12 @@ public:
 
 private:
     std::optional<std::string> scene_at(const std::string& path, ui::Memory& memory);
+    void set_editor(ui::Memory& memory);
 
     std::string file_;
     Settings kept_, settings_;
     Editor editor_;
+    ui::Place edited_;  // where an editor was opened last
     Gallery gallery_;
     ui::Listing listing_;
     std::vector<ui::FileRow> rows_;

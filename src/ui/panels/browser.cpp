@@ -189,7 +189,7 @@ void answer_row(const Listing& listing, const std::vector<std::size_t>& shown, M
     layout.note("browser.all");
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
     follow(buttons);
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - buttons));
+    to_right(buttons);
     if (button("Cancel", layout, "browser.cancel") || pressed(Key::escape)) return close(browser);
     ImGui::SameLine();
     const std::string_view typed(browser.typed.data());

@@ -93,12 +93,22 @@ struct Clock {
 
 inline constexpr double hint_seconds = 4;
 
-// What the user asked for and did not get: it stays until it is dismissed, or done.
+// What the user asked for and did not get: it stays until it is dismissed, or its cause is gone.
 struct Failure {
-    enum class Remedy : std::uint8_t { none, reload, save_as };
+    // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
+    // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
+    // opens, until one does.
+    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor };
     std::string text;
-    Remedy remedy = Remedy::none;  // what is offered beside OK
+    Remedy remedy = Remedy::none;
+    Place place = {};  // where the editor was to open
 };
+
+// Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys
+// that it shows was pressed.
+enum class Menu : std::uint8_t { none, open, closing };
+
+inline constexpr float usual_problems = .3F;
 
 struct Memory {
     bool panel = true;  // false: only the picture is shown
@@ -111,6 +121,8 @@ struct Memory {
     Titles open;                // titles of the open sections
     bool warnings_open = false;
     bool problems_hidden = false;
+    float problems_height = usual_problems;  // of the list, as a part of the picture's height
+    Menu menu = Menu::none;
     std::uint64_t revision = 0;       // the revision whose problems are hidden
     std::set<std::string> dismissed;  // messages of MessageBox that the user dismissed
     SliderMemory slider;
@@ -132,7 +144,7 @@ struct Memory {
     bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
-    SaveAs save_as, save_page, write_rung;
+    SaveAs save_as, save_page, write_rung, set_editor;
     Rect scene;  // the scene's area in this frame
 };
 
@@ -142,6 +154,7 @@ struct Requests {
     bool save = false;
     bool save_as = false, save_as_now = false;  // opens the dialog; saves under the name in SaveAs
     bool save_page = false, save_page_now = false;
+    bool set_editor = false, set_editor_now = false;
     bool undo = false, redo = false;
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point
