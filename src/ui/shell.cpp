@@ -128,7 +128,7 @@ void open_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
     if (item({"Open\u2026", "Ctrl+O", "open"}, layout)) open_browser({}, memory, requests);
     if (!facts.recent.empty()) ImGui::Separator();
     for (std::size_t i = 0; i < facts.recent.size(); ++i) {
-        const RecentScene& scene = facts.recent[i];
+        const SceneCard& scene = facts.recent[i];
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::MenuItem(shortened(scene.name, 16 * ImGui::GetFontSize()).c_str())) requests.open = scene.path;
         tip(scene.folder);
@@ -398,7 +398,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     Requests requests;
     const Menu menu = std::exchange(memory.menu, Menu::none);
     const bool dialog = memory.browser.open || memory.picture.open || memory.save_as.open || memory.save_page.open ||
-                        memory.write_rung.open || memory.set_editor.open ||
+                        memory.write_rung.open || memory.set_editor.open || memory.new_scene.open ||
                         (menu == Menu::none && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
     const bool cancels = pressed(Key::escape) && ImGui::IsAnyMouseDown();  // what is being dragged
     if (!ImGui::GetIO().WantTextInput && !dialog && !cancels) {

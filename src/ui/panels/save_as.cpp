@@ -105,6 +105,8 @@ void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
                                   "save page"};
     static const SaveAsWords rung{"Write rung", "Write the scene with this rung into the folder",
                                   "Relative to the scene's folder", "write rung"};
+    static const SaveAsWords created{"New scene", "Name of the new scene, which gets a folder of its own",
+                                     "Letters, digits, '-' and '_'; or a path", "new scene", "Create"};
     static const SaveAsWords editor{"Set editor", "Open files with the command",
                                     "A program with its arguments, such as 'code' or 'emacsclient -n'.\nEmpty: that of "
                                     "the variables VISUAL and EDITOR, or the desktop's",
@@ -112,6 +114,7 @@ void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
     requests.save_as_now = save_as_window(memory.save_as, scene, layout);
     requests.save_page_now = save_as_window(memory.save_page, page, layout);
     requests.write_rung_now = save_as_window(memory.write_rung, rung, layout);
+    requests.new_scene_now = save_as_window(memory.new_scene, created, layout);
     requests.set_editor_now = save_as_window(memory.set_editor, editor, layout);
 }
 

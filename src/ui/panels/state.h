@@ -48,6 +48,10 @@ struct FileRow {
 // The number of snapshots, which are sets of values stored next to the scene, numbered from 1.
 inline constexpr int snapshot_count = 9;
 
+struct SampleCards {
+    std::span<const SceneCard> scenes, lessons;
+};
+
 // A point in window coordinates from the scene's top left.
 struct Point {
     double x = 0, y = 0;
@@ -79,7 +83,10 @@ struct Facts {
     std::string_view object;                           // name of the picked object
     std::span<const FileRow> files;                    // the files in use, in the order of reading
     std::string_view editor;                           // name of the editor that opens them
-    std::span<const RecentScene> recent;               // the latest first
+    std::span<const SceneCard> recent;                 // the latest first
+    SampleCards examples;                              // scenes that come with the program
+    std::span<const NewKind> kinds;                    // of new scenes
+    std::string_view new_folder;                       // where new scenes are made, as displayed
     const Listing* listing = nullptr;                  // of the folder in the browser
     bool full_screen = false;
 };
@@ -144,7 +151,7 @@ struct Memory {
     bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
-    SaveAs save_as, save_page, write_rung, set_editor;
+    SaveAs save_as, save_page, write_rung, set_editor, new_scene;
     Rect scene;  // the scene's area in this frame
 };
 
@@ -155,6 +162,7 @@ struct Requests {
     bool save_as = false, save_as_now = false;  // opens the dialog; saves under the name in SaveAs
     bool save_page = false, save_page_now = false;
     bool set_editor = false, set_editor_now = false;
+    bool new_scene_now = false;  // of the kind in Browser, under the name in SaveAs
     bool undo = false, redo = false;
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point
