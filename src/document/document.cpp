@@ -281,8 +281,12 @@ SavedAs saved_as(const Document& document, const std::string& name) {
             as.error = fs::path(file.path).filename().string() + " has some of these values: save them there first";
     }
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    if (as.error.empty() && !fs::is_directory(folder, error)) as.error = "there is no folder " + folder.string();
-    const bool moves = path.parent_path().lexically_normal() != old_folder.lexically_normal();
+    const bool gone = !old_folder.empty() && !fs::is_directory(old_folder, error);
+    if (as.error.empty() && !fs::is_directory(folder, error))
+        as.error = fmt::format("there is no folder {}{}", folder.string(),
+                               gone ? " any more: give the path of another one, such as ~/" + given.string() : "");
+    // Where the folder is gone, nowhere else has its files: the text is what can be rescued.
+    const bool moves = !gone && path.parent_path().lexically_normal() != old_folder.lexically_normal();
     const std::string lost = as.error.empty() && moves ? not_found_from(folder, document) : "";
     if (!lost.empty()) as.error = "the scene would not find " + lost + " from there";
     return as;

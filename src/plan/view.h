@@ -78,10 +78,12 @@ std::array<double, 4> background_of(double brightness);
 enum class Held : std::uint8_t { scene, eye, object, texture };
 
 struct HoldMemory {
-    Held held = Held::scene;  // `object` only while an object is picked
-    bool picking = false;     // a click on the scene picks the object there
-    Index object = none;      // the picked object, an index into Scene::draws
-    bool flipped = false;     // the drag began with the scene upside down, so that it turns the other way
+    Held held = Held::scene;     // `object` only while an object is picked
+    bool picking = false;        // a click on the scene picks the object there
+    Index object = none;         // the picked object, an index into Scene::draws
+    bool flipped = false;        // the drag began with the scene upside down, so that it turns the other way
+    std::optional<View> before;  // the view when the drag began, which Escape restores
+    bool cancelled = false;      // it did: until the button is up, the mouse moves nothing
 };
 
 // Picks an object, so that the user moves it from now on. With none, the user moves the scene again.

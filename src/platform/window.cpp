@@ -136,6 +136,7 @@ Window::Window(GLFWwindow* handle) : handle_(handle) {
     cursors_[static_cast<std::size_t>(Cursor::text)] = glfwCreateStandardCursor(GLFW_IBEAM_CURSOR);
     cursors_[static_cast<std::size_t>(Cursor::hand)] = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
     cursors_[static_cast<std::size_t>(Cursor::resize_horizontal)] = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
+    cursors_[static_cast<std::size_t>(Cursor::resize_vertical)] = glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR);
     listen();
 }
 

@@ -71,7 +71,7 @@ struct Event {
     Modifiers modifiers = {};
 };
 
-enum class Cursor : std::uint8_t { arrow, text, hand, resize_horizontal, count_ };
+enum class Cursor : std::uint8_t { arrow, text, hand, resize_horizontal, resize_vertical, count_ };
 
 struct WindowRequest {
     std::string title;

@@ -505,7 +505,7 @@ void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
     context.projection = projection_matrix(lens.camera, aspect, fitted_depth(frame)) * context.scene;
     state.forget();
     RasterState raster;
-    raster.line_width = context.line_width = 3;
+    raster.line_width = context.line_width = std::max(1., 3. / frame.enlarged);
     const runtime::Variant variant{false, caps.max_line_width < 3};
     auto& slot = programs[{none, variant}];
     if (!slot) slot = runtime::link_builtin(variant, caps, store.get(), counters);

@@ -37,9 +37,10 @@ std::span<const KeyRow> key_rows() {
         {"Tab; with Shift", "go to the next value; to the previous one", "Values"},
         {"arrow keys; with Shift; Page keys", "change that value: in steps; fine; coarse"},
         {"Enter; Esc", "type that value, or switch it; restore the old one"},
+        {"Esc while dragging", "restore what was before the drag"},
         {"slider: double click or Ctrl click", "type a number"},
         {"slider: right click; Shift or Alt drag", "reset to the scene's value; fine adjustment"},
-        {"slider: right click on its name", "reset, logarithmic scale, animation"},
+        {"slider: right click left of its track", "reset, logarithmic scale, animation"},
         {"ladder: right click", "reset to the scene's rung"},
     };
     return rows;

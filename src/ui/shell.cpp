@@ -91,7 +91,7 @@ void hide(Memory& memory) {
 constexpr float close_together = .3F;  // the gap between buttons of the toolbar, in multiples of the text height
 
 // A menu below its button, within the screen. The popup's size is that of the last frame.
-bool begin_menu(const char* text, const char* name, Layout& layout) {
+bool begin_menu(const char* text, const char* name, Memory& memory, Layout& layout) {
     if (button(text, layout, name)) ImGui::OpenPopup(name);
     ImGuiStorage& sizes = *ImGui::GetStateStorage();
     const ImGuiID width = ImGui::GetID("##menu width"), height = ImGui::GetID("##menu height");
@@ -101,6 +101,12 @@ bool begin_menu(const char* text, const char* name, Layout& layout) {
     const bool open = ImGui::BeginPopup(name);
     note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
     if (!open) return false;
+    if (memory.menu == Menu::closing) {
+        ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        return false;
+    }
+    memory.menu = Menu::open;
     sizes.SetFloat(width, ImGui::GetWindowWidth());
     sizes.SetFloat(height, ImGui::GetWindowHeight());
     return true;
@@ -118,11 +124,11 @@ bool item(const Item& item, Layout& layout) {
 }
 
 void open_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
-    if (!begin_menu("Open \u25BE", "menu.open", layout)) return;
+    if (!begin_menu("Open \u25BE", "menu.open", memory, layout)) return;
     if (item({"Open\u2026", "Ctrl+O", "open"}, layout)) open_browser({}, memory, requests);
     if (!facts.recent.empty()) ImGui::Separator();
     for (std::size_t i = 0; i < facts.recent.size(); ++i) {
-        const RecentScene& scene = facts.recent[i];
+        const SceneCard& scene = facts.recent[i];
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::MenuItem(shortened(scene.name, 16 * ImGui::GetFontSize()).c_str())) requests.open = scene.path;
         tip(scene.folder);
@@ -133,7 +139,7 @@ void open_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
 }
 
 void save_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
-    if (!begin_menu("Save \u25BE", "menu.save", layout)) return;
+    if (!begin_menu("Save \u25BE", "menu.save", memory, layout)) return;
     requests.save |= item({"Save values", "Ctrl+S", "save", facts.changed}, layout);
     tip("Saves the current values to the scene's file.\nOnly the numbers change. Ctrl+Z restores the file.");
     requests.save_as |= item({"Save as\u2026", "Ctrl+Shift+S", "save as"}, layout);
@@ -161,7 +167,7 @@ void projection_item(const Scene& scene, View& view, Layout& layout) {
 }
 
 void view_menu(const Facts& facts, View& view, Memory& memory, Requests& requests, Layout& layout) {
-    if (!begin_menu("View \u25BE", "menu.view", layout)) return;
+    if (!begin_menu("View \u25BE", "menu.view", memory, layout)) return;
     if (facts.scene) {
         if (item({"Reset view", "R", "reset view"}, layout)) reset_view(view);
         if (item({"Axes", nullptr, "axes", true, view.axes}, layout)) view.axes = !view.axes;
@@ -380,8 +386,7 @@ void hint(const Rect& scene, Memory& memory, Layout& layout) {
 
 // What lies over the picture, except for what must be seen even where everything is hidden.
 void overlays(const Facts& facts, const Rect& scene, const Controls& controls, const Fonts& fonts, Memory& memory,
-              Requests& requests, Layout& layout) {
-    notices(facts, scene, memory, requests, layout);
+              Layout& layout) {
     if (memory.labels) value_labels(facts, controls, scene, fonts);
     flags_legend(facts, scene, memory.pixels, layout);
 }
@@ -391,9 +396,15 @@ void overlays(const Facts& facts, const Rect& scene, const Controls& controls, c
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
     layout.clear();
     Requests requests;
+    const Menu menu = std::exchange(memory.menu, Menu::none);
     const bool dialog = memory.browser.open || memory.picture.open || memory.save_as.open || memory.save_page.open ||
-                        memory.write_rung.open || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    if (!ImGui::GetIO().WantTextInput && !dialog) keys(facts, view, memory, requests);
+                        memory.write_rung.open || memory.set_editor.open || memory.new_scene.open ||
+                        (menu == Menu::none && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+    const bool cancels = pressed(Key::escape) && ImGui::IsAnyMouseDown();  // what is being dragged
+    if (!ImGui::GetIO().WantTextInput && !dialog && !cancels) {
+        keys(facts, view, memory, requests);
+        if (menu == Menu::open && any_pressed()) memory.menu = Menu::closing;
+    }
     const Areas parts = areas(memory);
     follow_ladder(controls.rungs, memory.accuracy);
     // Out of sight they cost nothing.
@@ -402,9 +413,10 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (memory.panel) {
         panel_window(facts, parts.panel, controls, view, memory, layout, requests);
         status_line(facts, parts.status, memory, layout);
-        overlays(facts, parts.scene, controls, fonts, memory, requests, layout);
+        overlays(facts, parts.scene, controls, fonts, memory, layout);
     }
     problems_panel(facts, parts.scene, fonts, memory, requests, layout);
+    notices(facts, parts.scene, memory, requests, layout);
     if (no_scene_open(facts) && !memory.browser.open && no_scene(parts.scene, layout))
         open_browser({}, memory, requests);
     if (facts.accuracy && facts.accuracy->note.empty() && memory.accuracy.show == AccuracyMemory::Show::split)
@@ -472,7 +484,16 @@ std::optional<Point> clicked(const Rect& area) {
 void hold_scene(const Facts& facts, const Rect& area, View& view, HoldMemory& hold, Requests& requests) {
     if (!facts.scene) return;
     const ImGuiIO& io = ImGui::GetIO();
-    if (!io.WantCaptureMouse) {
+    if (!ImGui::IsAnyMouseDown()) {
+        hold.before.reset();
+        hold.cancelled = false;
+    }
+    if (hold.before && pressed(Key::escape)) {
+        view = *std::exchange(hold.before, std::nullopt);
+        hold.cancelled = true;
+    }
+    if (!io.WantCaptureMouse && !hold.cancelled) {
+        if (!hold.before && ImGui::IsAnyMouseDown()) hold.before = view;
         // It stays so until the button is up: the same position of the mouse gives the same view.
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) hold.flipped = upside_down(held(view, hold), *facts.scene);
         apply(gesture(area, hold.picking), *facts.scene, std::max(1.0F, std::min(area.width, area.height)), view, hold);

@@ -87,6 +87,7 @@ TEST_F(FilesWindow, ADroppedSceneIsOpened) {
 TEST_F(FilesWindow, TheBrowserOpensAnotherSceneAndTheLastOneIsRecent) {
     open("one.glib");
     user("key ctrl+o");
+    click("browser.folders");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("browser.entry.one.glib"); }));
     keep("guide-browser");
     EXPECT_FALSE(state()["widgets"].contains("browser.entry.paint.frag")) << "scenes only";
@@ -112,6 +113,32 @@ TEST_F(FilesWindow, TheBrowserOpensAnotherSceneAndTheLastOneIsRecent) {
     settle();  // the failure is in the state before the browser is off the screen
     EXPECT_EQ(state()["file"], file("one.glib"));
     expect_pixel(.2, .4);
+}
+
+TEST_F(FilesWindow, WithoutASceneItBeginsWithPicturesOfScenesAndWithNewOnes) {
+    open("", {"--size", "1000x740"});
+    settle();
+    const std::array<double, 4> card = state()["widgets"]["browser.scene.ambient.glib"];
+    EXPECT_TRUE(state()["widgets"].contains("browser.new.noise"));
+    // Its picture is made while nothing is done.
+    const auto colourful = [&] {
+        const Picture picture = look();
+        std::array<int, 2> range{255, 0};
+        for (double x = .2; x < .8; x += .05) {
+            const int green = picture.at(card[0] + x * card[2], card[1] + .4 * card[2]).green;
+            range = {std::min(range[0], green), std::max(range[1], green)};
+        }
+        return range[1] - range[0] > 20;
+    };
+    EXPECT_TRUE(wait([&](const json&) { return colourful(); }));
+    click("browser.new.noise");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("new scene save"); }));
+    type("new scene file", file("marble"), Field::text);
+    ASSERT_TRUE(shows("marble/marble.glib"));
+    settle();
+    EXPECT_EQ(state()["errors"], 0);
+    EXPECT_FALSE(state()["widgets"].contains("browser.cancel"));
+    EXPECT_EQ(state()["gl_errors"], json::array());
 }
 
 TEST_F(FilesWindow, WithoutASceneTheBrowserIsOpenAndTheWindowWorks) {
@@ -154,7 +181,7 @@ TEST_F(FilesWindow, AFolderIsLookedIntoAndRecentScenesAreThereAsTheyWereLeft) {
     EXPECT_TRUE(state()["widgets"].contains("browser.recent.one.glib"));
     const std::array<double, 4> row = state()["widgets"]["browser.recent.one.glib"];
     // It covers .27 of the shorter side from the middle of its picture.
-    const Pixel middle = look().at(row[0] + 32 + 4, row[1] + row[3] / 2);
+    const Pixel middle = look().at(row[0] + row[2] / 2 + 4, row[1] + row[2] * .375);
     EXPECT_GT(middle.red, 240);
     EXPECT_NEAR(middle.green, 102, 4);
     keep("browser-of-a-folder");

@@ -38,6 +38,7 @@ protected:
     }
     void open() {
         choose("open", "open");
+        click(place("browser.folders"));
         place("browser.name");
     }
     // What was asked for by the last click, which spans several frames.
@@ -62,13 +63,14 @@ protected:
     }
 
     Listing listing_;
-    std::vector<RecentScene> recent_{{"old.glib", "/x", "/x/old.glib"}};
+    std::vector<SceneCard> recent_{{"old.glib", "/x", "/x/old.glib"}};
 };
 
 TEST_F(FilePanels, TheBrowserOpensWhatIsTyped) {
     press(Key::o, {.ctrl = true});
     EXPECT_TRUE(memory_.browser.open);
     EXPECT_TRUE(requests_.browse);
+    click(place("browser.folders"));
     EXPECT_TRUE(has("browser.entry.ball.glib"));
     write("roo");
     EXPECT_FALSE(has("browser.entry.ball.glib")) << "only what contains it, in any case";
@@ -152,6 +154,39 @@ TEST_F(FilePanels, TheBrowserOpensWhatIsClickedTwice) {
     EXPECT_EQ(memory_.browser.folder, "/home/ann");
     EXPECT_EQ(click_asks("browser.recent.old.glib").open, "/x/old.glib");
     EXPECT_FALSE(memory_.browser.open);
+}
+
+TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
+    const std::vector<SceneCard> scenes{{"glass.glib", "", "/s/glass.glib", {7, 1.5F}},
+                                        {"sky.glib", "", "/s/sky.glib"}};
+    const std::vector<SceneCard> lessons{{"noise.glib", "02-noise", "/l/noise.glib"}};
+    const std::vector<NewKind> kinds{{"blank", "a lit ball"}, {"noise", "marble"}};
+    facts_.examples = {scenes, lessons};
+    facts_.kinds = kinds;
+    const auto begin = [&] { choose("open", "open"); };
+    begin();
+    for (const char* name : {"browser.recent.old.glib", "browser.scene.glass.glib", "browser.lesson.noise.glib",
+                             "browser.new.blank", "browser.new.noise"})
+        EXPECT_TRUE(has(name)) << name;
+    EXPECT_FALSE(has("browser.entry.ball.glib"));
+    EXPECT_EQ(click_asks("browser.scene.glass.glib").open, "/s/glass.glib") << "one click opens it";
+    EXPECT_FALSE(memory_.browser.open);
+    begin();
+    write("NOI");
+    EXPECT_FALSE(has("browser.scene.glass.glib")) << "only what contains it";
+    EXPECT_TRUE(has("browser.lesson.noise.glib"));
+    press(Key::enter);
+    EXPECT_EQ(requests_.open, "/l/noise.glib");
+    begin();
+    click(place("browser.new.noise"));
+    EXPECT_TRUE(has("new scene save"));
+    EXPECT_EQ(memory_.browser.kind, "noise");
+    EXPECT_STREQ(memory_.new_scene.file.data(), "noise") << "a name to begin with";
+    click(place("new scene cancel"));
+    EXPECT_TRUE(has("browser.scene.sky.glib")) << "back to where it was asked";
+    click(place("browser.folders"));
+    EXPECT_TRUE(has("browser.entry.ball.glib"));
+    EXPECT_TRUE(has("browser.recent.old.glib"));
 }
 
 TEST_F(FilePanels, KeysOfTheBrowserAreNoCommands) {

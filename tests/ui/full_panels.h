@@ -34,6 +34,7 @@ struct Panel {
     const char* name;
     const char* widget;
     void (Screens::*prepare)();
+    bool anywhere = false;  // legible even in the smallest window with large letters
 };
 
 class Screens : public UiTest, public ::testing::WithParamInterface<Panel> {
@@ -176,8 +177,8 @@ public:
                 {"scene" + std::to_string(i) + ".glib", "/s", false, "12.5 kB", "2026-01-01 12:00"});
         listing_.entries.insert(listing_.entries.begin() + 2,
                                 {long_name + long_name + ".glib", "/l", false, "999.9 MB", "2026-01-01 12:00"});
-        recent_ = {{"room.glib", "~/scenes", "/home/ann/scenes/room.glib", 7, 1.5F},
-                   {long_name + ".glib", long_path, long_path, 7, .5F},
+        recent_ = {{"room.glib", "~/scenes", "/home/ann/scenes/room.glib", {7, 1.5F}},
+                   {long_name + ".glib", long_path, long_path, {7, .5F}},
                    {"new.glib", "/", "/new.glib"}};
         facts_.recent = recent_;
         facts_.listing = &listing_;
@@ -296,6 +297,14 @@ public:
     void empty_browser() {
         empty();
         browser();
+        memory_.browser.start = true;
+        for (int i = 1; i <= 20; ++i)
+            examples_.push_back({"scene" + std::to_string(i) + ".glib", "", "/scene", {7, 1.5F}});
+        lessons_ = {{"glass.glib", "07-glass", "/glass.glib", {7, .8F}}, {long_name, long_name, "/l"}};
+        kinds_ = {{"blank", "a lit ball in one colour"},
+                  {"displace", "waves, by a vertex shader that moves a flat square"}};
+        facts_.examples = {examples_, lessons_};
+        facts_.kinds = kinds_;
     }
     void picking() {
         programs();
@@ -378,7 +387,8 @@ protected:
     Explanation explanation_;
     std::vector<Problem> problems_;
     std::vector<FileRow> files_{{"room.glib", "/room.glib"}, {"glass.vert", "/glass.vert"}, {long_path, long_path}};
-    std::vector<RecentScene> recent_;
+    std::vector<SceneCard> recent_, examples_, lessons_;
+    std::vector<NewKind> kinds_;
     std::vector<std::string> unfolded_;
     std::string menu_, panel_widget_;
     Listing listing_;

@@ -1,5 +1,8 @@
 // Mouse and keys on the panels, judged by what becomes of the values.
+#include <imgui.h>
+
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "src/ui/kit/input.h"
@@ -122,8 +125,9 @@ TEST_F(UiTest, CheckBoxesAndColors) {
     const Rect row = place("Glass.uColor");
     frame({move(row.x + row.width * .45, row.y + row.height / 2), button(true)});  // drag the green field
     frame({move(row.x + row.width * .45 + 30, row.y + row.height / 2)});
+    frame({move(row.x + row.width * .45 + 31, row.y + row.height / 2)});
     frame({button(false)});
-    EXPECT_NE(controls_.items[1].value[1], .5);
+    EXPECT_NEAR(controls_.items[1].value[1], .62, .02) << "from its own value, whatever is beside it";
     EXPECT_EQ(controls_.items[1].value[0], .123456789012) << "the others keep their bits";
     EXPECT_EQ(controls_.items[1].value[2], 2);
 }
@@ -220,6 +224,14 @@ TEST_F(UiTest, AProgramWithoutSlidersIsAFoldedLine) {
     const double opened = place("Water").y;
     click(place("Glass"));
     EXPECT_LT(place("Water").y, opened) << "it was folded";
+    // Also where no program has a slider.
+    for (Control& control : controls_.items) control.widget = Widget::none;
+    FileRow other;
+    other.path = "/other.glib";
+    facts_.files = {&other, 1};
+    const double folded = place("Water").y;
+    click(place("Glass"));
+    EXPECT_GT(place("Water").y, folded);
 }
 
 TEST_F(UiTest, TheMouseTurnsScalesAndMovesTheScene) {
@@ -308,14 +320,210 @@ TEST_F(UiTest, AFailureStaysUntilItIsDismissedAndLeavesTheMessages) {
     click(place("failure.ok"));
     EXPECT_FALSE(has("failure.ok"));
     EXPECT_EQ(memory_.failure.text, "");
-    EXPECT_FALSE(has("failure.remedy"));
-    memory_.failure = {"not saved: a.glib has changed", Failure::Remedy::reload};
-    const Rect remedy = place("failure.remedy");
-    frame({move(remedy.x + remedy.width / 2, remedy.y + remedy.height / 2)});
+}
+
+TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
+    using Remedy = Failure::Remedy;
+    struct Row {
+        Remedy remedy;
+        const char* button;
+        bool Requests::*wants;
+    };
+    for (const Row& row :
+         {Row{Remedy::reload, "failure.reload", &Requests::reload},
+          Row{Remedy::reload, "failure.save as", &Requests::save_as},
+          Row{Remedy::save, "failure.again", &Requests::save}, Row{Remedy::save, "failure.save as", &Requests::save_as},
+          Row{Remedy::save_as, "failure.save as", &Requests::save_as},
+          Row{Remedy::editor, "failure.editor", &Requests::set_editor}}) {
+        facts_.changed = true;
+        memory_.failure = {"not saved: room.glib", row.remedy};
+        const Rect at = place(row.button);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({button(true)});
+        frame({button(false)});
+        EXPECT_TRUE(requests_.*row.wants) << row.button;
+        EXPECT_FALSE(has("failure.ok")) << row.button << " is an answer";
+    }
+    memory_.failure = {"xdg-open ended with status 4", Remedy::editor, {"/tmp/a.frag", 3, 1}};
+    const Rect again = place("failure.again");
+    frame({move(again.x + 3, again.y + 3)});
     frame({button(true)});
     frame({button(false)});
-    EXPECT_TRUE(requests_.reload);
-    EXPECT_FALSE(has("failure.ok")) << "it is answered";
+    EXPECT_EQ(requests_.edit.file, "/tmp/a.frag");
+    // What is mended otherwise.
+    memory_.failure = {"not saved: room.glib has changed", Remedy::reload};
+    EXPECT_TRUE(has("failure.ok"));
+    facts_.changed = false;
+    EXPECT_TRUE(has("failure.ok")) << "the files are still others";
+    ++facts_.revision;
+    EXPECT_FALSE(has("failure.ok")) << "they were read";
+    facts_.changed = true;
+    memory_.failure = {"not saved: no space left", Remedy::save};
+    frame({key(Key::r, true)});
+    frame({key(Key::r, false)});
+    EXPECT_TRUE(has("failure.ok")) << "the next action leaves it";
+    memory_.panel = false;
+    EXPECT_TRUE(has("failure.ok")) << "also where all is hidden";
+    memory_.panel = true;
+    facts_.changed = false;
+    EXPECT_FALSE(has("failure.ok")) << "nothing is left to save";
+    no_scene_ = true;
+    memory_.failure = {"no .glib scene: a.png"};
+    EXPECT_TRUE(has("failure.ok")) << "also in an empty window";
+}
+
+TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {
+    add_slider("uEta", .1, 1.1, 5);
+    Control& field = add_slider("uField", 0, 3, 10);
+    field.widget = Widget::none;
+    const Rect track = place("Glass.uEta");
+    click(place("Glass.constants"));
+    struct Row {
+        const char* what;
+        Rect at;
+        MouseButton button;
+        std::function<double()> value;
+    };
+    const std::vector<Row> rows{
+        {"slider", track, MouseButton::left, [&] { return controls_.items[0].value[0]; }},
+        {"field", place("Glass.uField"), MouseButton::left, [&] { return controls_.items[1].value[0]; }},
+        {"turn", {300, 300, 60, 60}, MouseButton::left, [&] { return view_.scene.rotate_y; }},
+        {"move", {300, 300, 60, 60}, MouseButton::right, [&] { return view_.scene.x; }},
+        {"scale", {300, 300, 60, 60}, MouseButton::middle, [&] { return view_.scene.scale; }},
+    };
+    memory_.hold.picking = true;
+    for (const Row& row : rows) {
+        const double before = row.value();
+        const double y = row.at.y + row.at.height / 2;
+        frame({move(row.at.x + row.at.width * .5, y)});
+        frame({button(true, row.button)});
+        frame({move(row.at.x + row.at.width * .9, y)});
+        frame({move(row.at.x + row.at.width * .8, y)});
+        EXPECT_NE(row.value(), before) << row.what;
+        frame({key(Key::escape, true)});
+        frame({key(Key::escape, false)});
+        EXPECT_EQ(row.value(), before) << row.what;
+        frame({move(row.at.x + row.at.width * .6, y)});
+        EXPECT_EQ(row.value(), before) << row.what << " until the button is up";
+        frame({button(false, row.button)});
+        EXPECT_TRUE(memory_.hold.picking) << "Escape did nothing else";
+    }
+}
+
+TEST_F(UiTest, APressBesideTheColourPickerOnlyClosesIt) {
+    add_slider("uEta", .1, 1.1, 5);
+    Control& color = add_slider("uColor", 0, 0, 1);
+    color.widget = Widget::color;
+    color.components = 3;
+    color.value = color.initial = {.2, .5, 1};
+    const Rect track = place("Glass.uEta"), row = place("Glass.uColor");
+    for (const Rect& beside : {track, Rect{300, 300, 40, 40}}) {
+        click({row.x + row.width - 8, row.y, 4, row.height});
+        ASSERT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+        const View view = view_;
+        frame({move(beside.x + beside.width * .9, beside.y + beside.height / 2)});
+        frame({button(true)});
+        frame({move(beside.x + beside.width * .2, beside.y + beside.height / 2 + 10)});
+        frame({button(false)});
+        EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+        EXPECT_EQ(controls_.items[0].value[0], 1.1);
+        EXPECT_EQ(view_, view);
+    }
+}
+
+TEST_F(UiTest, KeysThatAMenuShowsWorkWhileItIsOpen) {
+    facts_.changed = true;
+    struct Row {
+        const char* menu;
+        Key key;
+        Modifiers modifiers;
+        std::function<bool()> done;
+    };
+    for (const Row& row : {Row{"save", Key::s, {.ctrl = true}, [&] { return requests_.save; }},
+                           Row{"save", Key::s, {.shift = true, .ctrl = true}, [&] { return requests_.save_as; }},
+                           Row{"view", Key::r, {}, [&] { return view_.scene == Transformation{}; }},
+                           Row{"view", Key::p, {}, [&] { return memory_.hold.picking; }},
+                           Row{"view", Key::f11, {}, [&] { return requests_.full_screen; }}}) {
+        view_.scene.rotate_x = 30;
+        click(place(std::string("menu.") + row.menu));
+        ASSERT_TRUE(has(row.menu == std::string("save") ? "save as" : "reset view"));
+        frame({{.kind = Event::Kind::key, .key = row.key, .down = true, .modifiers = row.modifiers}});
+        EXPECT_TRUE(row.done()) << row.menu;
+        frame({{.kind = Event::Kind::key, .key = row.key, .down = false}});
+        EXPECT_FALSE(has("save as") || has("reset view")) << row.menu << " is closed";
+    }
+    click(place("menu.view"));
+    frame({key(Key::escape, true)});
+    frame({key(Key::escape, false)});
+    EXPECT_FALSE(has("reset view"));
+    EXPECT_TRUE(memory_.hold.picking) << "Escape closes the menu, and nothing else";
+}
+
+TEST_F(UiTest, TheMenuOfASliderOpensLeftOfItsTrack) {
+    add_slider("u", .1, 1.1, 5);
+    add_slider("uALongerName", .1, 1.1, 5);
+    const Rect track = place("Glass.u"), name = place("u.name");
+    for (const double x : {name.x + 1., name.x + name.width + 20., track.x - 8., name.x - 6.}) {
+        frame({move(x, track.y + track.height / 2)});
+        frame({button(true, MouseButton::right)});
+        frame({button(false, MouseButton::right)});
+        EXPECT_TRUE(has("u.animate")) << x;
+        frame({key(Key::escape, true)});
+        frame({key(Key::escape, false)});
+        ASSERT_FALSE(has("u.animate"));
+    }
+}
+
+TEST_F(UiTest, EnterSavesThePicture) {
+    memory_.picture.open = true;
+    for (const char* after : {"", "picture file", "picture transparent"}) {
+        memory_.picture.transparent = false;
+        if (*after) click(place(after));
+        place("picture save");
+        frame({key(Key::enter, true)});
+        EXPECT_EQ(requests_.picture, PictureRequest::save) << after;
+        frame({key(Key::enter, false)});
+    }
+    click(place("picture samples"));
+    frame({key(Key::enter, true)});
+    EXPECT_EQ(requests_.picture, PictureRequest::none) << "it ends the typing of a number";
+    frame({key(Key::enter, false)});
+    EXPECT_LT(place("picture cancel").x, place("picture save").x);
+    memory_.picture.open = false;
+}
+
+TEST_F(UiTest, TheListOfErrorsIsAStripThatIsSized) {
+    std::vector<Problem> problems(
+        40, {{.file = "a.glib", .at = Position{1, 1}, .message = "no", .source = MarkedLine{"x"}}, {}});
+    facts_.problems = problems;
+    facts_.revision = 1;
+    const Rect list = place("problems.panel"), grip = place("problems.grip");
+    EXPECT_LE(list.height, .31F * memory_.scene.height);
+    EXPECT_EQ(gui_.fonts().mono->FontSize, gui_.fonts().text->FontSize) << "as large as all other letters";
+    const double x = grip.x + grip.width / 2, y = grip.y + grip.height / 2;
+    const View view = view_;
+    frame({move(x, y)});
+    frame({button(true)});
+    frame({move(x, y + 150)});
+    frame({button(false)});
+    EXPECT_NEAR(place("problems.panel").height, list.height + 150, 20);
+    EXPECT_EQ(view_, view);
+    facts_.problems = std::span(problems).first(1);
+    EXPECT_LT(place("problems.panel").height, list.height) << "no larger than what it holds";
+}
+
+TEST_F(UiTest, AnErrorsTooltipLeavesItsLinesInSight) {
+    Problem problem{{.file = "a.glib", .at = Position{1, 1}, .message = "no", .source = MarkedLine{"x"}},
+                    {"/a.glib", 1, 1}};
+    facts_.problems = {&problem, 1};
+    facts_.revision = 1;
+    const Rect link = place("problem.0.place"), list = place("problems.panel");
+    frame({move(link.x + 3, link.y - 3)});
+    frame({}, 1);
+    frame({}, 1);
+    ASSERT_TRUE(kit().tip.shown);
+    EXPECT_EQ(kit().tip.item.y, list.y);
+    EXPECT_EQ(kit().tip.item.height, list.height) << "below the whole list";
 }
 
 TEST_F(UiTest, NothingNewIsTheSamePictureAndAHoverIsAnother) {

@@ -83,7 +83,7 @@ TEST_F(Shell, AClickOnTheButtonOfAnOpenMenuClosesIt) {
 }
 
 TEST_F(Shell, MenusOpenScenesAndChangeTheView) {
-    const std::vector<RecentScene> recent{{"one.glib", "~", "/home/ann/one.glib"}, {"two.glib", "/x", "/x/two.glib"}};
+    const std::vector<SceneCard> recent{{"one.glib", "~", "/home/ann/one.glib"}, {"two.glib", "/x", "/x/two.glib"}};
     facts_.recent = recent;
     click(place("menu.open"));
     const Rect two = place("recent.two.glib");

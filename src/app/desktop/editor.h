@@ -32,6 +32,8 @@ public:
     explicit Editor(std::string name = editor_of_environment()) : name_(std::move(name)) {}
 
     const std::string& name() const { return name_; }
+    // Empty: that of the environment.
+    void set(const std::string& name) { name_ = name.empty() ? editor_of_environment() : name; }
     Started open(const std::string& file, int line, int column);
     // Call it regularly. Returns a message if an editor failed, otherwise "".
     std::string look();

@@ -162,18 +162,17 @@ std::string thumbnail_file(const std::string& folder, const std::string& scene) 
     return named_by(folder, scene, "png");
 }
 
-void keep_thumbnail(const std::string& folder, const std::string& scene, const content::Image& picture,
-                    const std::vector<std::string>& recent) {
+void keep_thumbnail(const std::string& folder, const std::string& scene, const content::Image& picture) {
     if (folder.empty()) return;
     std::error_code error;
     fs::create_directories(folder, error);
     content::replace_file(thumbnail_file(folder, scene), content::encode_png(picture));
-    std::vector<fs::path> wanted{thumbnail_file(folder, scene)}, found;
-    for (const std::string& path : recent) wanted.emplace_back(thumbnail_file(folder, path));
+    std::vector<std::pair<fs::file_time_type, fs::path>> found;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().extension() == ".png") found.push_back(entry->path());
-    for (const fs::path& path : found)
-        if (ranges::find(wanted, path) == wanted.end()) fs::remove(path, error);
+        if (entry->path().extension() == ".png") found.emplace_back(entry->last_write_time(error), entry->path());
+    if (found.size() <= most_thumbnails) return;
+    ranges::sort(found);
+    for (std::size_t i = 0; i + most_thumbnails < found.size(); ++i) fs::remove(found[i].second, error);
 }
 
 std::optional<content::Image> read_thumbnail(const std::string& folder, const std::string& scene) {

@@ -43,10 +43,9 @@ std::string thumbnails_folder();
 // The file of the picture of a scene, whose path is absolute.
 std::string thumbnail_file(const std::string& folder, const std::string& scene);
 
-// Writes the picture of a scene, and removes those of scenes that are not recent. Errors are ignored, because only
-// comfort is lost.
-void keep_thumbnail(const std::string& folder, const std::string& scene, const content::Image& picture,
-                    const std::vector<std::string>& recent);
+inline constexpr std::size_t most_thumbnails = 400;
+// Writes the picture of a scene, and removes the oldest of more. Errors are ignored, because only comfort is lost.
+void keep_thumbnail(const std::string& folder, const std::string& scene, const content::Image& picture);
 
 // Returns the picture of a scene as RGBA bytes; nullopt if there is none, or if its file is damaged.
 std::optional<content::Image> read_thumbnail(const std::string& folder, const std::string& scene);

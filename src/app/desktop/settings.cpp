@@ -70,6 +70,8 @@ Settings read_settings(const std::string& file) {
     settings.height = static_cast<int>(number(json, "height", 0, 150, 16384));
     settings.open = texts(json, "open", 100);
     settings.recent = texts(json, "recent", most_recent);
+    if (const auto editor = json.find("editor"); editor != json.end() && editor->is_string())
+        settings.editor = editor->get<std::string>();
     return settings;
 }
 
@@ -89,7 +91,8 @@ std::string write_settings(const std::string& file, const Settings& settings) {
                     {"height", settings.height},
                     {"always_sharp", settings.always_sharp},
                     {"tools", settings.tools},
-                    {"recent", recent}};
+                    {"recent", recent},
+                    {"editor", settings.editor}};
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 

@@ -20,6 +20,7 @@ struct Settings {
     std::vector<std::string> open;  // titles of the open sections
     int width = 0, height = 0;      // of the window, in its coordinates at zoom 1 and 96 dots per inch; 0: unknown
     std::vector<std::string> recent;
+    std::string editor;  // as editor_of_environment(); empty: that
 
     bool operator==(const Settings&) const = default;
 };

@@ -68,6 +68,7 @@ void Display::draw(Document& document, const std::function<void(const Step&)>* a
     view.mouse_y /= divide;
     Frame frame{stand.time, view, document.controls, true};
     frame.after = after;
+    frame.enlarged = divide;
     gl::Canvas& canvas = canvas_of(next_);
     const Surface surface{canvas.framebuffer(), size.width, size.height};
     document.runtime->draw(frame, surface);

@@ -1,39 +1,58 @@
 // Executes the user's requests about files: opens other scenes, lists folders, starts editors.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "src/app/desktop/editor.h"
+#include "src/app/desktop/scene_pictures.h"
 #include "src/app/desktop/settings.h"
 #include "src/gl/texture.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
 
-// The recent scenes as the file browser shows them: with names, folders and pictures.
+// Scenes as the file browser shows them: with names, folders and pictures.
 
 class Gallery {
 public:
-    // The scenes with these absolute paths. Their pictures are on the GPU only while `pictures` is true; the GL context
-    // must be current.
-    std::span<const ui::RecentScene> show(const std::vector<std::string>& recent, bool pictures);
+    Gallery();
+    // While the browser is open, pictures are on the GPU, and those that lack are made; the GL context must be current.
+    void browse(bool open);
+    // Call it regularly. Returns true if there is a new picture.
+    bool look();
+    // The scenes with these absolute paths.
+    std::span<const ui::SceneCard> recent(const std::vector<std::string>& paths);
+    ui::SampleCards examples();
+    // Fills in the pictures of the scenes in the folder.
+    void fill(ui::Listing& listing);
 
 private:
-    void load();
+    struct Loaded {
+        gl::Texture texture;
+        ui::SmallPicture picture;
+    };
+    const ui::SmallPicture& picture(const std::string& path);
+    void want(const ui::Listing* listing);
+    static std::vector<ui::SceneCard> cards(const std::vector<std::string>& paths);
 
-    std::vector<ui::RecentScene> scenes_;
-    std::vector<std::string> recent_;
-    std::vector<gl::Texture> textures_;
-    bool loaded_ = false;
+    std::string folder_;
+    ScenePictures maker_;
+    std::map<std::string, Loaded> loaded_;  // by the scene's path; those that have none, too
+    std::vector<ui::SceneCard> recent_, scenes_, lessons_;
+    std::vector<std::string> recent_paths_, listed_;
+    bool open_ = false, sampled_ = false;
 };
 
 class Opener {
 public:
     // `file` is the path of the settings.
-    explicit Opener(std::string file) : file_(std::move(file)), kept_(read_settings(file_)), settings_(kept_) {}
+    explicit Opener(std::string file) : file_(std::move(file)), kept_(read_settings(file_)), settings_(kept_) {
+        editor_.set(settings_.editor);
+    }
 
     const Settings& settings() const { return settings_; }
     // `in_use` and `revision` are those of the session; the rows are made again when the revision changes.
@@ -58,12 +77,17 @@ public:
 
 private:
     std::optional<std::string> scene_at(const std::string& path, ui::Memory& memory);
+    void set_editor(ui::Memory& memory);
+    // Makes a new scene, and returns its path; if there is none, the dialog says why.
+    std::optional<std::string> make_scene(ui::Memory& memory) const;
 
     std::string file_;
     Settings kept_, settings_;
     Editor editor_;
+    ui::Place edited_;  // where an editor was opened last
     Gallery gallery_;
     ui::Listing listing_;
+    std::string new_folder_;  // where new scenes are made, as displayed
     std::vector<ui::FileRow> rows_;
     std::string rows_of_;                        // the scene that rows_ belong to
     std::uint64_t rows_at_ = ~std::uint64_t{0};  // the revision that rows_ belong to

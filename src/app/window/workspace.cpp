@@ -106,8 +106,12 @@ void Workspace::remember_scene() {
     if (document()) opener_.opened(session_.path());
 }
 
-std::string Workspace::open(const std::string& path, const View& view) {
+std::string Workspace::open(const std::string& path, View& view) {
     past_.finish(session_, view);
+    if (session_.saved()) {  // such as a save that was undone: what differs from the file now is remembered
+        session_.reload();
+        past_.reread(session_, view);
+    }
     past_.write(session_, view);
     if (std::string problem = session_.open(path, past_.read(path)); !problem.empty()) {
         past_.read(session_.path());

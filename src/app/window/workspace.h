@@ -39,7 +39,7 @@ public:
     void remember_scene();
     // Shows another scene, as if the window had been opened with it. Returns "", or why the current scene stays. `view`
     // is that of the current scene.
-    std::string open(const std::string& path, const View& view);
+    std::string open(const std::string& path, View& view);
     // Begins with the view of the scene that was just opened, as it was last. Sets `notice` if anything is not as the
     // scene says.
     void begin(View& view, std::string& notice);

@@ -42,6 +42,14 @@ void say(const ImRect& box, std::string_view what) {
 // Many window managers move the window by a drag with Alt.
 bool fine() { return ImGui::GetIO().KeyAlt || ImGui::GetIO().KeyShift; }
 
+// True if Escape ends the drag of this widget, which then has its value of before.
+bool cancelled(ImGuiID id) {
+    if (ImGui::GetActiveID() != id || !pressed(Key::escape)) return false;
+    take(Key::escape);
+    ImGui::ClearActiveID();
+    return true;
+}
+
 void close() {
     kit().typing.id = 0;
     kit().remark.shown = false;
@@ -155,12 +163,16 @@ namespace {
 // Returns the value that the mouse or the keyboard has moved the number to.
 double moved(double value, ImGuiID id, const NumberStyle& style, bool held) {
     const ImGuiIO& io = ImGui::GetIO();
-    double& exact = kit().dragged;
-    if (!held || io.MouseClicked[0]) exact = value;
+    Drag& drag = kit().drag;
+    if (!held && drag.id == id) drag.id = 0;
+    if (held && drag.id != id) drag = {id, value, value};
+    if (held && cancelled(id)) return drag.before;
+    double exact = held ? drag.exact : value;
     const double before = exact;
     if (held) exact += style.speed * io.MouseDelta.x * (fine() ? .05 : 1);
     if (const double steps = key_steps(id); steps != 0)
         exact += is_whole(style.type) ? std::copysign(std::max(1., std::abs(steps)), steps) : steps * style.speed;
+    if (held) drag.exact = exact;
     if (exact == before) return value;
     return is_whole(style.type) ? std::round(exact) : tidy_step(exact, style.speed);
 }
@@ -350,7 +362,9 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
     if (ImGui::GetActiveID() == id) {
         const float threshold = io.MouseDragThreshold;
         memory.dragged = memory.dragged || io.MouseDragMaxDistanceSqr[0] > threshold * threshold;
-        if (!io.MouseDown[0])
+        if (cancelled(id))
+            value = memory.before;
+        else if (!io.MouseDown[0])
             ImGui::ClearActiveID();
         else if (range.min < range.max)
             value = dragged_to(box, value, range, memory);
@@ -399,7 +413,7 @@ void swatch(double* value, std::size_t count, const double* initial) {
     tip("Click to pick a colour");
     ImGui::SetNextWindowPos({at.x, at.y + side + ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Appearing);
     const bool open = ImGui::BeginPopup("picker");
-    note_opener({at.x, at.y, side, side}, open);
+    note_opener({at.x, at.y, side, side}, open, true);
     if (!open) return;
     pick(value, count, initial);
     ImGui::EndPopup();

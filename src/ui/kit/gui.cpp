@@ -121,6 +121,8 @@ Cursor Gui::cursor() const {
             return Cursor::hand;
         case ImGuiMouseCursor_ResizeEW:
             return Cursor::resize_horizontal;
+        case ImGuiMouseCursor_ResizeNS:
+            return Cursor::resize_vertical;
         default:
             return Cursor::arrow;
     }

@@ -29,6 +29,12 @@ std::size_t batch(std::span<const Event> events) {
 
 bool pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(static_cast<int>(key), repeat); }
 
+bool any_pressed() {
+    for (int key = 0; key < static_cast<int>(Key::count_); ++key)
+        if (static_cast<Key>(key) != Key::other && pressed(static_cast<Key>(key))) return true;
+    return false;
+}
+
 void take(Key key) {
     // A key that was pressed some time ago is held, not pressed.
     ImGui::GetIO().KeysDownDuration[static_cast<int>(key)] = FLT_MIN;

@@ -34,7 +34,8 @@ bool newly_clicked() {
 bool modal(const ImGuiPopupData& popup) { return !popup.Window || (popup.Window->Flags & ImGuiWindowFlags_Modal) != 0; }
 
 // Closes drop-downs, menus and pickers at Escape, which then does nothing else, and at a click beside them, which then
-// acts where it lands. Dear ImGui itself would ignore the key and swallow the click.
+// acts where it lands, but for pickers: a colour is looked at in the picture. Dear ImGui itself would ignore the key
+// and swallow the click.
 void close_popups() {
     ImGuiContext& g = *ImGui::GetCurrentContext();
     ImVector<ImGuiPopupData>& open = g.OpenPopupStack;
@@ -48,7 +49,9 @@ void close_popups() {
     int kept = 0;
     for (int i = 0; i < open.Size; ++i)
         if (modal(open[i]) || open[i].Window->OuterRectClipped.Contains(mouse)) kept = i + 1;
-    if (kept < open.Size) ImGui::ClosePopupToLevel(kept, true);
+    if (kept == open.Size) return;
+    ImGui::ClosePopupToLevel(kept, true);
+    if (kit().swallows) std::fill(std::begin(g.IO.MouseDown), std::end(g.IO.MouseDown), false);
 }
 
 void move_focus(Focus& focus) {
@@ -132,7 +135,8 @@ void end_kit() {
         draw(kit.tip, false, palette().text);
 }
 
-void note_opener(const Rect& box, bool open) {
+void note_opener(const Rect& box, bool open, bool swallows) {
+    if (open) kit().swallows = swallows;
     if (open)
         kit().opener = box;
     else if (kit().opener == box)
@@ -153,6 +157,12 @@ void tip(std::string_view text) {
     next.item = {min.x, min.y, size.x, size.y};
     next.window = {window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
     next.text.assign(text);
+}
+
+void tip_below_window(std::string_view text) {
+    tip(text);
+    Tip& next = kit().next_tip;
+    if (next.text == text) next.item = next.window;
 }
 
 void keep_wheel() { ImGui::SetItemUsingMouseWheel(); }

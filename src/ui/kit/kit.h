@@ -74,15 +74,22 @@ struct Tip {
     bool quiet = false;  // the item was pressed, so nothing needs to be said until the pointer leaves it
 };
 
+// A number that is being dragged.
+struct Drag {
+    unsigned id = 0;               // of the widget; 0 if there is none
+    double before = 0, exact = 0;  // when the drag began; now, before rounding
+};
+
 struct Kit {
     const Palette* palette = &palette_of(Theme::light);
     Focus focus;
     Typing typing;
-    Tip tip;             // what the pointer rests on
-    Tip next_tip;        // the same in this frame
-    Tip remark;          // why a typed text was not applied; shown until the next press
-    Rect opener;         // the button that opened the drop-down, menu or picker
-    double dragged = 0;  // the number that is being dragged, before rounding
+    Tip tip;                // what the pointer rests on
+    Tip next_tip;           // the same in this frame
+    Tip remark;             // why a typed text was not applied; shown until the next press
+    Rect opener;            // the button that opened the drop-down, menu or picker
+    bool swallows = false;  // a press that closes it does nothing else
+    Drag drag;
 };
 
 // Of the current context, which a Gui must have made.
@@ -92,8 +99,8 @@ Kit& kit();
 void begin_kit();
 void end_kit();
 // Tells in every frame whether what the button in this box opens is open. A press on the button closes it, and must not
-// open it again.
-void note_opener(const Rect& box, bool open);
+// open it again. With `swallows`, a press beside what is open closes it and does nothing else.
+void note_opener(const Rect& box, bool open, bool swallows = false);
 // Seconds until the tooltip is due; infinite if none is.
 double tip_due();
 

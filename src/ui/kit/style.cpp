@@ -178,7 +178,7 @@ Fonts load_fonts(float scale, float density) {
     io.Fonts->Clear();
     Fonts fonts;
     fonts.text = load(sans, std::round(16 * scale * density));
-    fonts.mono = load(mono, std::round(14 * scale * density));
+    fonts.mono = load(mono, std::round(16 * scale * density));
     io.FontDefault = fonts.text;
     io.FontGlobalScale = 1 / density;
     return fonts;

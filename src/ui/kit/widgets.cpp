@@ -25,6 +25,10 @@ void follow(float width, float gap) {
     if (ImGui::GetItemRectMax().x + before + width <= end) ImGui::SameLine(0, gap);
 }
 
+void to_right(float width) {
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
+}
+
 bool button(const char* text, Layout& layout, std::string_view name) {
     const bool pressed = ImGui::Button(text);
     layout.note(name);

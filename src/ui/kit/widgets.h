@@ -20,6 +20,8 @@ float check_box_width(std::string_view label);
 // Sets the tooltip of the last item, disabled or not. It appears when the pointer has rested there for half a second,
 // below the item or beside the panel, where it covers no neighbour.
 void tip(std::string_view text);
+// The same below the item's window, for items that stand above what is read with them.
+void tip_below_window(std::string_view text);
 // Draws a button and records its place as `name`. Returns true if the user pressed it.
 bool button(const char* text, Layout& layout, std::string_view name);
 // Likewise, placed by follow().
@@ -33,6 +35,8 @@ void wrapped(std::string_view text, bool dim = false);
 // Places the next item, `width` wide, on the same line if it fits there, otherwise on the next line. `gap` is as for
 // SameLine.
 void follow(float width, float gap = -1);
+// Moves the next item, `width` wide, to the right end of the line, where there is room.
+void to_right(float width);
 // Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only
 // at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the
 // hidden part after ##.

@@ -19,6 +19,9 @@ namespace snell::ui {
 
 namespace {
 
+constexpr const char* no_error = "none";
+constexpr double equal = 1e-6;  // sums of the same values in another order differ by less
+
 constexpr const char* error_meaning =
     "The error is the root mean square difference of light from the reference\n(the last rung of every ladder) over "
     "the "
@@ -46,7 +49,9 @@ void figures(const Facts& all, Layout& layout) {
         ImGui::PopTextWrapPos();
         return;
     }
-    ImGui::TextUnformatted(facts.samples > 0 ? Text("error {} of white", error_text(facts.error)).c_str() : "\u2026");
+    const std::string error = error_text(facts.error);
+    const char* of = error == no_error ? "" : " of white";
+    ImGui::TextUnformatted(facts.samples > 0 ? Text("error {}{}", error, of).c_str() : "\u2026");
     if (facts.samples > 0 && ImGui::IsItemHovered()) tip(error_tip(facts));
     layout.note("accuracy.error");
     remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
@@ -209,7 +214,7 @@ std::string error_tip(const AccuracyFacts& facts) {
 }
 
 std::string error_text(double error) {
-    if (error == 0) return "0";
+    if (error < equal) return no_error;
     if (std::isnan(error)) return "unknown";
     if (!(error >= 1e-4 && error < 1)) return fmt::format("{:.2g}", error);
     const std::string text = fmt::format("{:.2g}", error);  // drops the leading zero, as in .0031

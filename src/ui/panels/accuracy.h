@@ -81,7 +81,7 @@ void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
                       Layout& layout);
 
 std::string milliseconds_text(double milliseconds);
-std::string error_text(double error);  // ".0031"; "unknown" if it is NaN
+std::string error_text(double error);  // ".0031"; "none" if it is only rounding, "unknown" if it is NaN
 // One sentence, with what else is known of the error.
 std::string error_tip(const AccuracyFacts& facts);
 std::string standing_text(const AccuracyPoint& point);  // such as "worth its time"; empty if the point was not compared

@@ -53,50 +53,99 @@ void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout
     }
 }
 
-// A recent scene as its picture, its name and its folder.
-bool recent_row(const RecentScene& scene, float width) {
-    const float em = ImGui::GetFontSize(), pad = ImGui::GetStyle().FramePadding.x;
-    const ImVec2 picture(4 * em, 3 * em), at = ImGui::GetCursorScreenPos();
-    const bool chosen = ImGui::Selectable("##recent", false, 0, {0, picture.y});
+void draw_picture(const SmallPicture& picture, ImVec2 at, ImVec2 room) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    if (picture.texture == 0) return;
+    const ImVec2 size(std::min(room.x, room.y * picture.shape), std::min(room.y, room.x / picture.shape));
+    const ImVec2 from(at.x + (room.x - size.x) / 2, at.y + (room.y - size.y) / 2);
+    list.AddImage(reinterpret_cast<ImTextureID>(picture.texture), from, {from.x + size.x, from.y + size.y});
+}
+
+struct Card {
+    std::string_view title, below;
+    const SmallPicture* picture;  // null: it has none
+    int lines = 1;                // of the text below the title
+};
+
+// A card in a grid that fills the width. Returns true if it was chosen.
+bool card(const Card& shown, bool first) {
+    const float em = ImGui::GetFontSize(), pad = em * .4F, line = ImGui::GetTextLineHeight(), width = 10 * em;
+    const float above = shown.picture ? .75F * (width - 2 * pad) + pad * .5F : 0;
+    const ImVec2 size(width, above + line * static_cast<float>(1 + shown.lines) + 2 * pad);
+    if (!first) follow(width, pad);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool chosen = ImGui::Selectable("##card", false, 0, size);
     if (!ImGui::IsItemVisible()) return chosen;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 end(at.x + picture.x, at.y + picture.y);
-    list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    if (scene.picture != 0) {
-        const ImVec2 size(std::min(picture.x, picture.y * scene.shape), std::min(picture.y, picture.x / scene.shape));
-        const ImVec2 from(at.x + (picture.x - size.x) / 2, at.y + (picture.y - size.y) / 2);
-        list.AddImage(reinterpret_cast<ImTextureID>(scene.picture), from, {from.x + size.x, from.y + size.y});
-    }
-    const float left = end.x + pad, room = width - picture.x - pad, line = ImGui::GetTextLineHeightWithSpacing();
-    const float top = at.y + (picture.y - 2 * line) * .5F;
-    list.AddText({left, top}, ImGui::GetColorU32(ImGuiCol_Text), shortened(scene.name, room).c_str());
-    list.AddText({left, top + line}, ImGui::GetColorU32(ImGuiCol_TextDisabled), shortened(scene.folder, room).c_str());
+    if (shown.picture)
+        draw_picture(*shown.picture, {at.x + pad, at.y + pad}, {width - 2 * pad, .75F * (width - 2 * pad)});
+    else
+        list.AddRect(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_Border),
+                     ImGui::GetStyle().FrameRounding);
+    const float top = at.y + pad + above, room = width - 2 * pad;
+    list.AddText({at.x + pad, top}, ImGui::GetColorU32(ImGuiCol_Text), shortened(shown.title, room).c_str());
+    const ImVec4 clip(at.x, at.y, at.x + size.x - pad, top + line * static_cast<float>(1 + shown.lines));
+    const Text below = shown.lines > 1 ? Text(shown.below) : shortened(shown.below, room);
+    list.AddText(ImGui::GetFont(), em, {at.x + pad, top + line}, ImGui::GetColorU32(ImGuiCol_TextDisabled),
+                 below.begin(), below.end(), shown.lines > 1 ? room : 0, &clip);
     return chosen;
 }
 
-void recent_scenes(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
-    if (facts.recent.empty()) return;
-    const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::TextDisabled("Recent");
-    for (std::size_t i = 0; i < facts.recent.size(); ++i) {
-        const RecentScene& scene = facts.recent[i];
+// Scenes as pictures, below a heading. Those whose names do not contain what is typed are left out.
+void cards(const char* heading, const char* name, std::span<const SceneCard> scenes, Memory& memory, Requests& requests,
+           Layout& layout) {
+    bool first = true;
+    ImGui::PushID(heading);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const SceneCard& scene = scenes[i];
+        const std::string_view typed = memory.browser.typed.data();
+        if (!is_path(typed) && !contains(scene.name, typed)) continue;
+        if (first) ImGui::TextDisabled("%s", heading);
         ImGui::PushID(static_cast<int>(i));
-        if (recent_row(scene, width)) {
+        if (card({scene.name, scene.folder, &scene.picture, scene.folder.empty() ? 0 : 1}, first)) {
             requests.open = scene.path;
             close(memory.browser);
         }
+        first = false;
         tip(scene.path);
-        layout.note("browser.recent", scene.name);
+        layout.note(name, scene.name);
+        ImGui::PopID();
+    }
+    ImGui::PopID();
+    if (!first) ImGui::Spacing();
+}
+
+void new_scenes(const Facts& facts, Memory& memory, Layout& layout) {
+    if (facts.kinds.empty() || memory.browser.typed[0] != '\0') return;
+    ImGui::TextDisabled("New scene");
+    for (std::size_t i = 0; i < facts.kinds.size(); ++i) {
+        const NewKind& kind = facts.kinds[i];
+        ImGui::PushID(static_cast<int>(i));
+        if (card({kind.name, kind.summary, nullptr, 2}, i == 0)) {
+            memory.browser.kind = kind.name;
+            open_save_as(memory.new_scene, memory.browser.kind, std::string(facts.new_folder));
+        }
+        tip(kind.summary);
+        layout.note("browser.new", kind.name);
         ImGui::PopID();
     }
     ImGui::Spacing();
 }
 
+void start_page(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
+    cards("Recent", "browser.recent", facts.recent, memory, requests, layout);
+    new_scenes(facts, memory, layout);
+    cards("Scenes", "browser.scene", facts.examples.scenes, memory, requests, layout);
+    cards("Lessons", "browser.lesson", facts.examples.lessons, memory, requests, layout);
+}
+
 void places(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
-    recent_scenes(facts, memory, requests, layout);
     ImGui::TextDisabled("Places");
     if (ImGui::Selectable("Home")) open_browser(listing.home, memory, requests);
     layout.note("browser.home");
+    ImGui::Spacing();
+    cards("Recent", "browser.recent", facts.recent, memory, requests, layout);
 }
 
 void take(const Entry& entry, Memory& memory, Requests& requests) {
@@ -105,12 +154,20 @@ void take(const Entry& entry, Memory& memory, Requests& requests) {
     close(memory.browser);
 }
 
+// Of a row's picture.
+ImVec2 picture_size() {
+    const float height = std::round(2 * ImGui::GetFontSize());
+    return {std::round(height * 4 / 3), height};
+}
+
 void entry_row(const Entry& entry, bool chosen, bool columns, float date_width, float size_width) {
     const ImVec2 at = ImGui::GetItemRectMin();
     const float right = ImGui::GetItemRectMax().x, pad = ImGui::GetStyle().FramePadding.x;
-    const float top = at.y + ImGui::GetStyle().ItemSpacing.y * .5F, mark = ImGui::GetFontSize() * 1.2F;
+    const float mark = picture_size().x + pad;
+    const float top = at.y + (ImGui::GetItemRectSize().y - ImGui::GetTextLineHeight()) * .5F;
     const float end = columns ? right - date_width - size_width - 2 * pad : right - pad;
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (!entry.folder) draw_picture(entry.picture, {at.x + pad, at.y}, picture_size());
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text), dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     if (entry.folder) list.AddText({at.x + pad, top}, chosen ? text : dim, "\u25B8");
     list.AddText({at.x + pad + mark, top}, text, shortened(entry.name, end - at.x - pad - mark).c_str());
@@ -132,14 +189,13 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
     const float em = ImGui::GetFontSize(), date_width = ImGui::CalcTextSize("2000-00-00 00:00").x + em,
                 size_width = ImGui::CalcTextSize("9999.9 MB").x;
     const bool columns = ImGui::GetContentRegionAvail().x > date_width + size_width + 10 * em;
-    const float height = ImGui::GetTextLineHeightWithSpacing();
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const Entry& entry = listing.entries[shown[i]];
         ImGui::PushID(static_cast<int>(shown[i]));
         const bool chosen = i == browser.chosen;
         const bool clicked = ImGui::Selectable(
             "##entry", chosen, ImGuiSelectableFlags_DontClosePopups | ImGuiSelectableFlags_AllowDoubleClick,
-            {0, height - ImGui::GetStyle().ItemSpacing.y});
+            {0, entry.folder ? ImGui::GetTextLineHeight() : picture_size().y});
         layout.note("browser.entry", entry.name);
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
         if (width_of(entry.name) > 20 * em) tip(entry.name);
@@ -169,12 +225,21 @@ void choose_by_keys(Browser& browser, std::size_t count) {
     browser.chosen = std::min(browser.chosen, count > 0 ? count - 1 : 0);
 }
 
+// The first scene of the start page whose name contains the text, if there is one.
+const SceneCard* first_card(const Facts& facts, std::string_view typed) {
+    if (typed.empty()) return nullptr;
+    for (const auto& scenes : {facts.recent, facts.examples.scenes, facts.examples.lessons})
+        for (const SceneCard& scene : scenes)
+            if (contains(scene.name, typed)) return &scene;
+    return nullptr;
+}
+
 // Draws the name field and the buttons.
-void answer_row(const Listing& listing, const std::vector<std::size_t>& shown, Memory& memory, Requests& requests,
-                Layout& layout) {
+void answer_row(const Facts& facts, const Listing& listing, const std::vector<std::size_t>& shown, Memory& memory,
+                Requests& requests, Layout& layout) {
     Browser& browser = memory.browser;
     const bool empty = browser.typed[0] == '\0';
-    if (empty && pressed(Key::backspace, true) && !browser.focus) {
+    if (empty && !browser.start && pressed(Key::backspace, true) && !browser.focus) {
         const std::vector<Crumb> all = crumbs(listing.folder);
         if (all.size() > 1) return open_browser(all[all.size() - 2].path, memory, requests);
     }
@@ -185,15 +250,18 @@ void answer_row(const Listing& listing, const std::vector<std::size_t>& shown, M
                                        ImGuiInputTextFlags_EnterReturnsTrue);
     layout.note("browser.name");
     if (ImGui::IsItemEdited()) browser.chosen = 0;
-    if (ImGui::Checkbox("All files", &browser.all)) open_browser(listing.folder, memory, requests);
-    layout.note("browser.all");
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
-    follow(buttons);
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - buttons));
+    if (!browser.start) {
+        if (ImGui::Checkbox("All files", &browser.all)) open_browser(listing.folder, memory, requests);
+        layout.note("browser.all");
+        follow(buttons);
+    }
+    to_right(buttons);
     if (button("Cancel", layout, "browser.cancel") || pressed(Key::escape)) return close(browser);
     ImGui::SameLine();
     const std::string_view typed(browser.typed.data());
-    ImGui::BeginDisabled(shown.empty() && !is_path(typed));
+    const SceneCard* const first = browser.start && !is_path(typed) ? first_card(facts, typed) : nullptr;
+    ImGui::BeginDisabled(browser.start ? !first && !is_path(typed) : shown.empty() && !is_path(typed));
     go |= button("Open", layout, "browser.open");
     ImGui::EndDisabled();
     go |= (pressed(Key::enter) || pressed(Key::keypad_enter)) && !ImGui::IsAnyItemActive();
@@ -204,16 +272,30 @@ void answer_row(const Listing& listing, const std::vector<std::size_t>& shown, M
             requests.open = listing.folder + "/" + requests.open;
         return close(browser);
     }
-    if (browser.chosen < shown.size())
+    if (browser.start) {
+        if (first) requests.open = first->path;
+        if (first) close(browser);
+        browser.focus = !first;
+    } else if (browser.chosen < shown.size())
         take(listing.entries[shown[browser.chosen]], memory, requests);
     else
         browser.focus = true;
+}
+
+// The two pages as tabs.
+void pages(const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
+    if (tab("Scenes", memory.browser.start, layout, "browser.start")) memory.browser.start = true;
+    ImGui::SameLine(0, 0);
+    if (tab("Folders", !memory.browser.start, layout, "browser.folders") && memory.browser.start)
+        open_browser(listing.folder, memory, requests);
+    ImGui::Separator();
 }
 
 }  // namespace
 
 void open_browser(std::string folder, Memory& memory, Requests& requests) {
     memory.browser.open = true;
+    memory.browser.start = folder.empty();
     memory.browser.folder = std::move(folder);
     memory.browser.typed.fill('\0');
     memory.browser.chosen = 0;
@@ -242,11 +324,11 @@ std::vector<Crumb> crumbs(std::string_view folder) {
 
 void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
     Browser& browser = memory.browser;
-    if (!browser.open || !facts.listing) return;
+    if (!browser.open || !facts.listing || memory.new_scene.open) return;
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
-    const ImVec2 size(std::min(48 * em, all.x - em), std::min(34 * em, all.y - em));
+    const ImVec2 size(std::min(58 * em, all.x - em), std::min(42 * em, all.y - em));
     ImGui::SetNextWindowPos({std::round((all.x - size.x) / 2), std::round((all.y - size.y) / 2)});
     ImGui::SetNextWindowSize(size);
     if (!ImGui::BeginPopupModal(title, nullptr,
@@ -254,26 +336,28 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar))
         return;
     const Listing& listing = *facts.listing;
-    path_row(listing, memory, requests, layout);
+    pages(listing, memory, requests, layout);
+    if (!browser.start) path_row(listing, memory, requests, layout);
     const bool came = choose_origin(listing, browser);
     const std::vector<std::size_t> shown = matching(listing, browser.typed.data());
     choose_by_keys(browser, shown.size());
     const bool two_rows =
         check_box_width("All files") + button_width("Cancel") + button_width("Open") + 2 * em > size.x - 2 * em;
     const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2);
-    const float side = size.x > 30 * em ? std::min(17 * em, size.x * .4F) : 0;
-    ImGui::BeginChild("##places", {std::max(side, 1.0F), -below});
-    if (side > 0) places(facts, listing, memory, requests, layout);
-    ImGui::EndChild();
-    if (side > 0)
+    const float side = !browser.start && size.x > 40 * em ? 11.5F * em : 0;
+    if (side > 0) {
+        ImGui::BeginChild("##places", {side, -below});
+        places(facts, listing, memory, requests, layout);
+        ImGui::EndChild();
         ImGui::SameLine();
+    }
+    ImGui::BeginChild(browser.start ? "##start" : "##entries", {0, -below});
+    if (browser.start)
+        start_page(facts, memory, requests, layout);
     else
-        ImGui::SameLine(0, 0);
-    ImGui::BeginChild("##entries", {0, -below});
-    if (side == 0 && !facts.scene) recent_scenes(facts, memory, requests, layout);
-    entries(listing, shown, came, memory, requests, layout);
+        entries(listing, shown, came, memory, requests, layout);
     ImGui::EndChild();
-    answer_row(listing, shown, memory, requests, layout);
+    answer_row(facts, listing, shown, memory, requests, layout);
     ImGui::EndPopup();
 }
 

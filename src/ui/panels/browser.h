@@ -15,11 +15,19 @@ struct Facts;
 struct Memory;
 struct Requests;
 
+// A small picture of a scene.
+struct SmallPicture {
+    std::uintptr_t texture = 0;  // of GL, whose top row is first; 0: there is none
+    float shape = 1;             // width over height
+    bool operator==(const SmallPicture&) const = default;
+};
+
 struct Entry {
     std::string name;  // with unprintable characters replaced
     std::string path;
     bool folder = false;
     std::string size, date;  // as displayed; empty size for a folder
+    SmallPicture picture = {};
 };
 
 struct Listing {
@@ -29,15 +37,23 @@ struct Listing {
     std::string error;           // why the folder could not be listed; empty if it could
 };
 
-struct RecentScene {
+// A scene that is offered by its picture.
+struct SceneCard {
     std::string name, folder;  // as displayed; "~" is the home folder
     std::string path;
-    std::uintptr_t picture = 0;  // the GL texture with a picture of it, whose top row is first; 0: there is none
-    float shape = 1;             // width over height of that picture
+    SmallPicture picture = {};
+    bool operator==(const SceneCard&) const = default;
+};
+
+// What a new scene can begin as.
+struct NewKind {
+    std::string_view name, summary;
 };
 
 struct Browser {
     bool open = false;
+    bool start = false;  // shows scenes to begin with instead of the folder
+    std::string kind;    // of the new scene whose name is asked for
     std::string folder;  // the folder of the next listing; empty: the scene's
     bool all = false;    // also list files other than .glib
     std::string listed;  // the folder that was listed last
@@ -46,8 +62,8 @@ struct Browser {
     bool focus = false;      // moves the keyboard focus to the name field
 };
 
-// Opens the browser and requests the listing of a folder. It stays open until the user chooses a file or presses
-// Escape.
+// Opens the browser and requests the listing of a folder; without one, it begins with pictures of scenes. It stays open
+// until the user chooses a file or presses Escape.
 void open_browser(std::string folder, Memory& memory, Requests& requests);
 
 // Draws the browser while it is open.

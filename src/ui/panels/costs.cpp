@@ -43,9 +43,13 @@ void plot(const FrameCostFacts& facts, Layout& layout) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     // Single frames may be far longer; the scale shows the typical ones.
     const double top = round_up(1.3 * std::max<double>(facts.high, facts.median));
+    list.AddRectFilled(at, {at.x + width, at.y + height}, pack(colors.track), ImGui::GetStyle().FrameRounding);
+    if (facts.frames.size() < 2) {
+        const Text none = shortened("The next pictures are plotted here.", width - em);
+        return put(list, {at.x + (width - width_of(none.view())) / 2, at.y + (height - em) / 2}, colors.dim, none);
+    }
     Text text;
     text.add("{:g} ms", top);
-    list.AddRectFilled(at, {at.x + width, at.y + height}, pack(colors.track), ImGui::GetStyle().FrameRounding);
     const auto y = [&](double value) {
         return at.y + height * (1 - static_cast<float>(std::clamp(value / top, 0.0, 1.0)));
     };
@@ -72,7 +76,7 @@ void row(const CostRow& cost, double all, Layout& layout) {
                                               {at.x + indent + (width - indent) * part, at.y + em * 1.1F},
                                               pack(cost.draw ? palette().track : palette().filled), 2);
     Text text;
-    text.add("{:.3f}", cost.milliseconds);
+    text.add("{:.3f} ms", cost.milliseconds);
     const float left = ImGui::GetCursorPosX(), taken = width_of(text.view());
     ImGui::SetCursorPosX(left + indent);
     fitted(cost.name, width - indent - taken - em * .5F);
@@ -109,7 +113,12 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     if (!memory.frame_cost || !facts.frame_cost) return false;
     const FrameCostFacts& cost = *facts.frame_cost;
     last_picture(facts, layout);
-    if (cost.frames.size() > 2) wrapped(Text("median {:.1f} ms, 95 %: {:.1f} ms", cost.median, cost.high).view(), true);
+    if (cost.frames.size() > 2) {
+        const Text high("95 %: {:.1f} ms", cost.high);
+        ImGui::TextDisabled("%s", Text("median {:.1f} ms", cost.median).c_str());
+        follow(width_of(high.view()), ImGui::GetFontSize());
+        ImGui::TextDisabled("%s", high.c_str());
+    }
     plot(cost, layout);
     if (!cost.passes.empty()) {
         wrapped("GPU time of each pass, by timer queries", true);
@@ -126,7 +135,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         ImGui::PushID("apart");
         const double all = rows(cost.apart, layout);
         ImGui::PopID();
-        wrapped(Text("sum {:.1f} ms; the same frame in one go {:.1f} ms", all, cost.apart_plain).view());
+        wrapped(Text("sum {:.1f}\u00A0ms; the same frame in one go {:.1f}\u00A0ms", all, cost.apart_plain).view());
         layout.note("frame cost.sum");
     }
     return chosen;

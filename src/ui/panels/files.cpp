@@ -43,11 +43,12 @@ float next_zoom(float zoom, int way) {
     return least == zooms.rend() ? zooms.front() : *least;
 }
 
-bool edit_link(const Facts& facts, const Place& place) {
+bool edit_link(const Facts& facts, const Place& place, bool read_on) {
     if (place.file.empty() || !ImGui::IsItemHovered()) return false;
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     const std::string editor = utf8::printable(facts.editor);
-    tip(Text("{}:{}\nClick to open in {}", utf8::printable(place.file), place.line, editor).view());
+    const Text text("{}:{}\nClick to open in {}", utf8::printable(place.file), place.line, editor);
+    read_on ? tip_below_window(text.view()) : tip(text.view());
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 

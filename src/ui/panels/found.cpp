@@ -153,8 +153,10 @@ void time_heading() {
 }
 
 void groups(const Facts& facts, Requests& requests, Layout& layout) {
-    constexpr std::array<std::pair<Group, const char*>, 3> headings{
-        {{Group::cheaper, "Cheaper"}, {Group::better, "What the picture lacks"}, {Group::unused, "Changes nothing"}}};
+    constexpr std::array<std::pair<Group, const char*>, 4> headings{{{Group::cheaper, "Cheaper"},
+                                                                     {Group::dearer, "Not cheaper"},
+                                                                     {Group::better, "What the picture lacks"},
+                                                                     {Group::unused, "Changes nothing"}}};
     const std::vector<FoundRow>& rows = facts.found->rows;
     for (const auto& [group, heading] : headings) {
         if (ranges::count(rows, group, &FoundRow::group) == 0) continue;

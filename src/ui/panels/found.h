@@ -25,7 +25,8 @@ struct Place {
 struct FoundRow {
     // better: what the picture lacks, with the error that the scene makes. unused: leaving it out changes no pixel.
     // untried: refused, or there was no time for it.
-    enum class Group : std::uint8_t { cheaper, better, unused, untried };
+    // dearer: it was meant to be cheaper, and takes the scene's time or more.
+    enum class Group : std::uint8_t { cheaper, dearer, better, unused, untried };
     Group group = Group::cheaper;
     std::string name;           // "3", or "3+7"
     std::string kind, meaning;  // such as "fewer-rounds", and a line about it

@@ -33,7 +33,8 @@ std::string bytes_text(std::uint64_t bytes);
 // Draws the files in use, each a link that opens it in the editor.
 void files_section(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 // Makes the last item a link with a tooltip. Returns true if it was clicked.
-bool edit_link(const Facts& facts, const Place& place);
+// With `read_on`, what follows the item is read with it, and not covered.
+bool edit_link(const Facts& facts, const Place& place, bool read_on = false);
 // Draws the settings for theme and text size.
 void look_section(Memory& memory, Layout& layout);
 // True in a window in which nothing was opened yet.

@@ -62,7 +62,7 @@ void show(const Facts& facts, const Problem& problem, std::size_t number, Reques
         const std::string name = fmt::format("problem.{}", number);
         layout.note(name);
         layout.place(name + ".place", underline(finding));
-        if (edit_link(facts, problem.place)) requests.edit = problem.place;
+        if (edit_link(facts, problem.place, true)) requests.edit = problem.place;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
     show_details(finding);
@@ -103,6 +103,41 @@ bool right_button(const char* text, Layout& layout, const char* name) {
     return button(text, layout, name);
 }
 
+// Beside a panel of large letters the picture may be too narrow to read anything on it; then the whole window is used.
+Rect with_room(Rect picture) {
+    if (picture.width < 12 * ImGui::GetFontSize()) picture.width = ImGui::GetIO().DisplaySize.x - picture.x;
+    return picture;
+}
+
+constexpr float most_problems = .9F;  // of the picture's height
+
+// The lower edge of the list, by which the user sizes it.
+void problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layout) {
+    const float grip = std::round(ImGui::GetFontSize() * .5F), margin = ImGui::GetStyle().WindowPadding.x;
+    ImGui::SetNextWindowPos({scene.x + margin, bottom - std::round(grip / 2)});
+    ImGui::SetNextWindowSize({scene.width - 2 * margin, grip});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    if (ImGui::Begin("##problems grip", nullptr,
+                     (overlay & ~ImGuiWindowFlags_NoInputs) | ImGuiWindowFlags_NoBackground)) {
+        ImGui::InvisibleButton("##grip", {std::max(scene.width - 2 * margin, 1.0F), grip});
+        layout.note("problems.grip");
+        const bool held = ImGui::IsItemActive();
+        if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+        if (held)
+            memory.problems_height = std::clamp(
+                (ImGui::GetIO().MousePos.y - scene.y - margin) / std::max(scene.height, 1.0F), .1F, most_problems);
+        const float middle = scene.x + scene.width / 2, reach = 1.5F * ImGui::GetFontSize(), y = bottom - 3;
+        ImGui::GetWindowDrawList()->AddRectFilled({middle - 1.2F * reach, y - 4}, {middle + 1.2F * reach, y + 3},
+                                                  ImGui::GetColorU32(palette().problem_background));
+        ImGui::GetWindowDrawList()->AddLine({middle - reach, y}, {middle + reach, y},
+                                            ImGui::GetColorU32(palette().problem_text), 2);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+}
+
 // Shows all errors, with the warnings on request, or all warnings.
 void problems_window(const Facts& facts, Severity severity, const Rect& scene, const Fonts& fonts, Memory& memory,
                      Requests& requests, Layout& layout) {
@@ -111,7 +146,8 @@ void problems_window(const Facts& facts, Severity severity, const Rect& scene, c
     const float margin = ImGui::GetStyle().WindowPadding.x, width = scene.width - 2 * margin;
     // The window has the size of its contents in the last frame, limited to the picture.
     ImGui::SetNextWindowPos({scene.x + margin, scene.y + margin});
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(scene.height * .7F, 1.0F)});
+    const float most = std::max(scene.height * memory.problems_height, 1.0F);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
     if (ImGui::Begin(errors ? "##problems" : "##warnings", nullptr,
                      (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
@@ -134,7 +170,10 @@ void problems_window(const Facts& facts, Severity severity, const Rect& scene, c
         }
         layout.place_window("problems.panel");
     }
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    const bool cut = ImGui::GetScrollMaxY() > 0 || memory.problems_height != usual_problems;
     ImGui::End();
+    if (cut) problems_grip(scene, bottom, memory, layout);
 }
 
 // Shows a text above `bottom`, which moves up by its height, and beside it what `buttons` draws.
@@ -161,28 +200,55 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
     ImGui::PopStyleVar(2);
 }
 
+using Remedy = Failure::Remedy;
+
+// What the user can do about it, as buttons. Returns true if one was pressed.
+bool remedies(const Failure& failure, Requests& requests, Layout& layout) {
+    const Remedy remedy = failure.remedy;
+    bool chosen = false, first = true;
+    const auto offer = [&](const char* text, const char* name, auto&& act) {
+        if (!(std::exchange(first, false) ? button(text, layout, name) : next_button(text, layout, name))) return;
+        act();
+        chosen = true;
+    };
+    if (remedy == Remedy::reload) offer("Reload", "failure.reload", [&] { requests.reload = true; });
+    if (remedy == Remedy::save) offer("Try again", "failure.again", [&] { requests.save = true; });
+    if (remedy == Remedy::reload || remedy == Remedy::save || remedy == Remedy::save_as)
+        offer("Save as\u2026", "failure.save as", [&] { requests.save_as = true; });
+    if (remedy != Remedy::editor) return chosen;
+    offer("Set editor\u2026", "failure.editor", [&] { requests.set_editor = true; });
+    if (!failure.place.file.empty()) offer("Try again", "failure.again", [&] { requests.edit = failure.place; });
+    return chosen;
+}
+
 // Draws the failure; true if it is done with.
 bool failure_box(const Failure& failure, const Rect& scene, float& bottom, Requests& requests, Layout& layout) {
     bool done = false;
     message_box(failure.text, palette().error_text, 0, scene, bottom, button_width("OK"), [&] {
         done = right_button("OK", layout, "failure.ok");
-        const bool reload = failure.remedy == Failure::Remedy::reload;
-        if (failure.remedy == Failure::Remedy::none) return;
-        if (!button(reload ? "Reload" : "Save as\u2026", layout, "failure.remedy")) return;
-        (reload ? requests.reload : requests.save_as) = done = true;
+        done |= remedies(failure, requests, layout);
     });
     return done;
 }
 
+// True if what could not be done has become needless.
+bool mended(const Failure& failure, bool read_again, bool changed) {
+    if (failure.remedy == Remedy::reload) return read_again;
+    return (failure.remedy == Remedy::save || failure.remedy == Remedy::save_as) && !changed;
+}
+
 }  // namespace
 
-void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+void problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts, Memory& memory, Requests& requests,
                     Layout& layout) {
     // Problems that were hidden are shown again after the files were read again.
-    if (memory.revision != facts.revision) {
+    const bool read_again = memory.revision != facts.revision;
+    if (read_again) {
         memory.revision = facts.revision;
         memory.problems_hidden = false;
     }
+    if (mended(memory.failure, read_again, facts.changed)) memory.failure = {};
+    const Rect scene = with_room(picture);
     push_dark();
     if (count(facts.problems, Severity::error) > 0) {
         if (!memory.problems_hidden) problems_window(facts, Severity::error, scene, fonts, memory, requests, layout);
@@ -192,12 +258,13 @@ void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, M
     pop_dark();
 }
 
-void notices(const Facts& facts, const Rect& scene, Memory& memory, Requests& requests, Layout& layout) {
-    if (!facts.scene) return;
+void notices(const Facts& facts, const Rect& picture, Memory& memory, Requests& requests, Layout& layout) {
+    const Rect scene = with_room(picture);
     float bottom = scene.y + scene.height - ImGui::GetStyle().WindowPadding.x;
     int index = 0;
     if (!memory.failure.text.empty() && failure_box(memory.failure, scene, bottom, requests, layout))
         memory.failure = {};
+    if (!facts.scene || !memory.panel) return;
     for (const Message& message : facts.scene->messages) {
         if (memory.dismissed.contains(message.text)) continue;
         message_box(message.text, ImGui::GetStyleColorVec4(ImGuiCol_Text), ++index, scene, bottom, button_width("OK"),

@@ -134,9 +134,12 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
     ImGui::TextUnformatted("s");
 }
 
-// Draws the menu that a right click on a slider's name opens.
-void slider_menu(Control& control, std::size_t component, const Section& section) {
-    if (!ImGui::BeginPopupContextItem("##menu")) return;
+// Draws the menu that a right click left of a slider's track opens: on its name, its dot or beside them.
+void slider_menu(Control& control, std::size_t component, const Section& section, const ImRect& left) {
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) &&
+        left.Contains(ImGui::GetIO().MousePos))
+        ImGui::OpenPopup("##menu");
+    if (!ImGui::BeginPopup("##menu")) return;
     if (ImGui::MenuItem(fmt::format("Reset to {}", shown_value(control, control.initial[component]).view()).c_str())) {
         reset(control, component);
         stop(section.memory.animated, control, component);
@@ -179,6 +182,7 @@ void track(Control& control, std::size_t component, const Section& section) {
 
 void slider_row(Control& control, std::size_t component, const Section& section) {
     const float begin = ImGui::GetCursorPosX();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
     const bool moving = motion_of(control, component, section.memory) != nullptr;
     const bool changed = control.value[component] != control.initial[component];
     if (dot(changed, moving, shown_value(control, control.initial[component]))) {
@@ -194,7 +198,9 @@ void slider_row(Control& control, std::size_t component, const Section& section)
     ImGui::EndGroup();
     range_tip(control, component, section);
     section.layout.note(control.name, "name");
-    slider_menu(control, component, section);
+    const float end =
+        stacked ? ImGui::GetContentRegionAvail().x + corner.x : corner.x + dot_width() + section.name_width;
+    slider_menu(control, component, section, {corner, {end, corner.y + ImGui::GetFrameHeight()}});
     if (stacked)
         ImGui::SetCursorPosX(begin + dot_width());
     else
@@ -371,7 +377,7 @@ void reset_button(Controls& controls, Index program, const Section& section, flo
 // Draws the title; returns whether the section is open. While a filter is set, sections are open for themselves.
 bool header(Controls& controls, Index index, const Section& section, bool open_at_first) {
     const bool filtered = section.memory.filter[0] != '\0';
-    ImGui::SetNextItemOpen(open_at_first || filtered, ImGuiCond_Once);
+    if (open_at_first || filtered) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
     const std::string& name = section.program.name;
     const float button = button_width("Reset all");
     const float right = ImGui::GetContentRegionMax().x - button - ImGui::GetStyle().FramePadding.x * .5F;
@@ -491,7 +497,6 @@ void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layo
     filter_row(controls, memory, layout);
     Index open = 0;  // at first: the first section that has sliders
     while (open < programs.size() && !any(controls, open, sliding)) ++open;
-    if (open == programs.size()) open = 0;
     for (Index i = 0; i < programs.size(); ++i) {
         const bool linked = i < facts.linked.size() && facts.linked[i];
         section_of(controls, i, {facts, programs[i], linked, memory, layout}, i == open);

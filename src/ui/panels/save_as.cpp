@@ -21,6 +21,7 @@ namespace {
 struct SaveAsWords {
     const char *title, *label, *tip;
     std::string name;  // of the widgets
+    const char* word = "Save";
 };
 
 // A dialog in the middle of the screen, of that width in multiples of the text height.
@@ -40,8 +41,8 @@ void end_dialog(const SaveAs& dialog) {
     ImGui::EndPopup();
 }
 
-// What the dialog asks or complains of, and its first button. Returns true if that was pressed.
-bool save_button(const SaveAs& dialog, const std::string& name, Layout& layout) {
+// What the dialog asks or complains of.
+void questions(const SaveAs& dialog, const std::string& name, Layout& layout) {
     if (dialog.asks())
         ImGui::TextWrapped("%s exists. Replace it?", shortened(dialog.existing, 30 * ImGui::GetFontSize()).c_str());
     if (!dialog.error.empty()) {
@@ -50,11 +51,15 @@ bool save_button(const SaveAs& dialog, const std::string& name, Layout& layout) 
         ImGui::PopStyleColor();
         layout.note(name + " error");
     }
-    return button(dialog.asks() ? "Replace" : "Save", layout, name + " save");
 }
 
-void cancel_button(SaveAs& dialog, const std::string& name, Layout& layout) {
-    if (next_button("Cancel", layout, name + " cancel") || pressed(Key::escape)) dialog.open = false;
+// "Cancel" and, behind it at the right end, what the dialog is for. Returns true if that was pressed.
+bool answered(SaveAs& dialog, const char* word, const std::string& name, Layout& layout) {
+    if (dialog.asks()) word = "Replace";
+    to_right(button_width("Cancel") + button_width(word) + ImGui::GetStyle().ItemSpacing.x);
+    if (button("Cancel", layout, name + " cancel") || pressed(Key::escape)) dialog.open = false;
+    ImGui::SameLine();
+    return button(word, layout, name + " save");
 }
 
 // Returns true when the user confirms the name.
@@ -62,16 +67,17 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     if (!dialog.open) return false;
     const bool fresh = !ImGui::IsPopupOpen(words.title);
     if (!begin_dialog(words.title, 30)) return false;
-    ImGui::TextUnformatted(words.label);
+    wrapped(words.label);
     if (fresh) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
     const bool entered = ImGui::InputText("##name", dialog.file.data(), dialog.file.size(),
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     layout.note(words.name + " file");
     tip(words.tip);
+    if (!dialog.folder.empty()) fitted("in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
     ImGui::Spacing();
-    const bool now = save_button(dialog, words.name, layout) || entered;
-    cancel_button(dialog, words.name, layout);
+    questions(dialog, words.name, layout);
+    const bool now = answered(dialog, words.word, words.name, layout) || entered;
     end_dialog(dialog);
     return now;
 }
@@ -84,9 +90,10 @@ bool confirmed(SaveAs& dialog, bool exists, const std::string& path) {
     return dialog.there.empty();
 }
 
-void open_save_as(SaveAs& dialog, const std::string& name) {
+void open_save_as(SaveAs& dialog, const std::string& name, std::string folder) {
     dialog = {};
     dialog.open = true;
+    dialog.folder = std::move(folder);
     name.copy(dialog.file.data(), dialog.file.size() - 1);
 }
 
@@ -98,9 +105,17 @@ void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
                                   "save page"};
     static const SaveAsWords rung{"Write rung", "Write the scene with this rung into the folder",
                                   "Relative to the scene's folder", "write rung"};
+    static const SaveAsWords created{"New scene", "Name of the new scene, which gets a folder of its own",
+                                     "Letters, digits, '-' and '_'; or a path", "new scene", "Create"};
+    static const SaveAsWords editor{"Set editor", "Open files with the command",
+                                    "A program with its arguments, such as 'code' or 'emacsclient -n'.\nEmpty: that of "
+                                    "the variables VISUAL and EDITOR, or the desktop's",
+                                    "editor", "Set"};
     requests.save_as_now = save_as_window(memory.save_as, scene, layout);
     requests.save_page_now = save_as_window(memory.save_page, page, layout);
     requests.write_rung_now = save_as_window(memory.write_rung, rung, layout);
+    requests.new_scene_now = save_as_window(memory.new_scene, created, layout);
+    requests.set_editor_now = save_as_window(memory.set_editor, editor, layout);
 }
 
 namespace {
@@ -111,11 +126,11 @@ constexpr double most_pictures = 1e6, largest = 1e6;
 void row(const char* name, const char* help = nullptr) {
     label(name);
     if (help) tip(help);
-    ImGui::SameLine(7 * ImGui::GetFontSize());
+    ImGui::SameLine(std::min(7 * ImGui::GetFontSize(), .35F * ImGui::GetContentRegionMax().x));
 }
 
 void whole(const char* id, double& value, double initial, Layout& layout, const char* name, double most) {
-    number(id, value, ValueType::int_, initial, 5 * ImGui::GetFontSize());
+    number(id, value, ValueType::int_, initial, std::min(5 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x));
     value = std::clamp(std::round(value), 1., most);
     layout.note(name);
 }
@@ -129,7 +144,7 @@ void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     const double density = ImGui::GetIO().DisplayFramebufferScale.x;
     row("Size");
     whole("##width", picture.width, picture.width, layout, "picture width", largest);
-    ImGui::SameLine();
+    follow(width_of("\u00d7") + 6 * ImGui::GetFontSize());
     ImGui::TextUnformatted("\u00d7");
     ImGui::SameLine();
     whole("##height", picture.height, picture.height, layout, "picture height", largest);
@@ -148,11 +163,11 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
     ImGui::Checkbox("##sequence", &picture.sequence);
     layout.note("picture sequence");
     if (!picture.sequence) return;
-    const float field = 5 * ImGui::GetFontSize();
     row("Seconds");
+    const float field = std::min(5 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x);
     number("##from", picture.from, ValueType::float_, 0, field);
     layout.note("picture from");
-    ImGui::SameLine();
+    follow(width_of("to") + 6 * ImGui::GetFontSize());
     ImGui::TextUnformatted("to");
     ImGui::SameLine();
     number("##to", picture.to, ValueType::float_, 10, field);
@@ -169,12 +184,13 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
     ImGui::TextDisabled("%s", told.c_str());
 }
 
-void answers(PictureMemory& picture, bool moves, Requests& requests, Layout& layout) {
-    if (save_button(picture, "picture", layout)) requests.picture = PictureRequest::save;
-    if (next_button("Copy command", layout, "picture command")) requests.picture = PictureRequest::command;
+void answers(PictureMemory& picture, bool moves, bool entered, Requests& requests, Layout& layout) {
+    questions(picture, "picture", layout);
+    if (button("Copy command", layout, "picture command")) requests.picture = PictureRequest::command;
     tip(moves ? "Copies the 'snell render' command, which draws animated sliders at rest"
               : "Copies the 'snell render' command that draws the same");
-    cancel_button(picture, "picture", layout);
+    follow(button_width("Cancel") + button_width("Replace") + ImGui::GetStyle().ItemSpacing.x);
+    if (answered(picture, "Save", "picture", layout) || entered) requests.picture = PictureRequest::save;
 }
 
 void progress_row(const PictureMemory& picture, Requests& requests, Layout& layout) {
@@ -198,8 +214,17 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     ImGui::BeginDisabled(picture.progress.has_value());
     row("File", "The extension sets the format: .png, .bmp, .exr \u2026");
     ImGui::SetNextItemWidth(-FLT_MIN);
-    ImGui::InputText("##file", picture.file.data(), picture.file.size());
+    // Enter saves, where it does not end the typing of a number.
+    const bool free =
+        !ImGui::IsAnyItemActive() && !kit().typing.id && (pressed(Key::enter) || pressed(Key::keypad_enter));
+    const bool entered =
+        ImGui::InputText("##file", picture.file.data(), picture.file.size(), ImGuiInputTextFlags_EnterReturnsTrue) ||
+        (free && kit().focus.at == 0);
     layout.note("picture file");
+    if (!picture.folder.empty()) {
+        row("");
+        fitted("in " + picture.folder, ImGui::GetContentRegionAvail().x, true);
+    }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())
         sequence_rows(picture, layout);
@@ -210,7 +235,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     if (picture.progress)
         progress_row(picture, requests, layout);
     else
-        answers(picture, picture.sequence && memory.animating(), requests, layout);
+        answers(picture, picture.sequence && memory.animating(), entered, requests, layout);
     end_dialog(picture);
 }
 

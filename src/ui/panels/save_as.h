@@ -20,6 +20,7 @@ struct SaveAs {
     std::string there;              // the name that was given, if the user is asked to replace a file; empty if not
     std::string existing;           // that file
     std::string error;              // why nothing was saved; empty if there was no error
+    std::string folder;             // that the name is relative to, as displayed; may be empty
 
     // True while the user is asked, unless the name was changed.
     bool asks() const { return !there.empty() && there == file.data(); }
@@ -29,7 +30,7 @@ struct SaveAs {
 // asks.
 bool confirmed(SaveAs& dialog, bool exists, const std::string& path);
 // Opens a dialog with a name to begin with.
-void open_save_as(SaveAs& dialog, const std::string& name);
+void open_save_as(SaveAs& dialog, const std::string& name, std::string folder = {});
 // Draws the dialogs while they are open.
 void save_as_windows(Memory& memory, Requests& requests, Layout& layout);
 

@@ -48,6 +48,10 @@ struct FileRow {
 // The number of snapshots, which are sets of values stored next to the scene, numbered from 1.
 inline constexpr int snapshot_count = 9;
 
+struct SampleCards {
+    std::span<const SceneCard> scenes, lessons;
+};
+
 // A point in window coordinates from the scene's top left.
 struct Point {
     double x = 0, y = 0;
@@ -79,7 +83,10 @@ struct Facts {
     std::string_view object;                           // name of the picked object
     std::span<const FileRow> files;                    // the files in use, in the order of reading
     std::string_view editor;                           // name of the editor that opens them
-    std::span<const RecentScene> recent;               // the latest first
+    std::span<const SceneCard> recent;                 // the latest first
+    SampleCards examples;                              // scenes that come with the program
+    std::span<const NewKind> kinds;                    // of new scenes
+    std::string_view new_folder;                       // where new scenes are made, as displayed
     const Listing* listing = nullptr;                  // of the folder in the browser
     bool full_screen = false;
 };
@@ -93,12 +100,22 @@ struct Clock {
 
 inline constexpr double hint_seconds = 4;
 
-// What the user asked for and did not get: it stays until it is dismissed, or done.
+// What the user asked for and did not get: it stays until it is dismissed, or its cause is gone.
 struct Failure {
-    enum class Remedy : std::uint8_t { none, reload, save_as };
+    // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
+    // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
+    // opens, until one does.
+    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor };
     std::string text;
-    Remedy remedy = Remedy::none;  // what is offered beside OK
+    Remedy remedy = Remedy::none;
+    Place place = {};  // where the editor was to open
 };
+
+// Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys
+// that it shows was pressed.
+enum class Menu : std::uint8_t { none, open, closing };
+
+inline constexpr float usual_problems = .3F;
 
 struct Memory {
     bool panel = true;  // false: only the picture is shown
@@ -111,6 +128,8 @@ struct Memory {
     Titles open;                // titles of the open sections
     bool warnings_open = false;
     bool problems_hidden = false;
+    float problems_height = usual_problems;  // of the list, as a part of the picture's height
+    Menu menu = Menu::none;
     std::uint64_t revision = 0;       // the revision whose problems are hidden
     std::set<std::string> dismissed;  // messages of MessageBox that the user dismissed
     SliderMemory slider;
@@ -132,7 +151,7 @@ struct Memory {
     bool keys = false;  // whether the list of keys is open
     Browser browser;
     PictureMemory picture;
-    SaveAs save_as, save_page, write_rung;
+    SaveAs save_as, save_page, write_rung, set_editor, new_scene;
     Rect scene;  // the scene's area in this frame
 };
 
@@ -142,6 +161,8 @@ struct Requests {
     bool save = false;
     bool save_as = false, save_as_now = false;  // opens the dialog; saves under the name in SaveAs
     bool save_page = false, save_page_now = false;
+    bool set_editor = false, set_editor_now = false;
+    bool new_scene_now = false;  // of the kind in Browser, under the name in SaveAs
     bool undo = false, redo = false;
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point

@@ -146,7 +146,8 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
         clock.paused = true;
         clock.time = (std::floor(clock.time / step + 1e-6) + 1) * step;
     }
-    if (next_button("0", layout, "rewind")) clock.time = 0;
+    if (next_button("Rewind", layout, "rewind")) clock.time = 0;
+    tip("Sets the time to 0");
     follow(width_of("speed") + 5 * ImGui::GetFontSize());
     label("speed");
     number("##speed", clock.speed, ValueType::float_, 1, -FLT_MIN);
@@ -155,9 +156,10 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
 
     const double period = std::max(facts.scene->timer_period, 1e-3);
     label("t =");
-    if (number("##time", clock.time, ValueType::float_, 0, 6 * ImGui::GetFontSize())) clock.paused = true;
+    const float field = std::min(6 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x);
+    if (number("##time", clock.time, ValueType::float_, 0, field)) clock.paused = true;
     layout.note("time");
-    ImGui::SameLine();
+    follow(4 * ImGui::GetFontSize());
     double within = clock.time - std::floor(clock.time / period) * period;
     SliderRange range{0, period};
     if (slider("##scrub", within, range, within, memory.slider)) {

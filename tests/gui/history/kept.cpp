@@ -158,6 +158,49 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_FALSE(state()["widgets"].contains("save as save"));
 }
 
+TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
+    open("one.glib");
+    slide(.75);
+    const double slid = red();
+    const std::string text = bytes("one.glib");
+    press("ctrl+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    press("ctrl+z");
+    ASSERT_EQ(bytes("one.glib"), text);
+    show("two.glib");
+    show("one.glib");
+    EXPECT_EQ(red(), slid) << "it differed from the file";
+    press("ctrl+y");
+    EXPECT_NE(bytes("one.glib"), text) << "and can be saved again";
+    show("two.glib");
+    show("one.glib");
+    EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, ASceneIsRescuedFromARenamedFolder) {
+    namespace fs = std::filesystem;
+    fs::create_directory(file("work"));
+    for (const char* name : {"one.glib", "paint.vert", "paint.frag"}) save("work/" + std::string(name), bytes(name));
+    open("work/one.glib");
+    slide(.75);
+    const double slid = red();
+    fs::rename(file("work"), file("moved"));
+    press("ctrl+s");
+    EXPECT_NE(state()["failure"].get<std::string>().find("one.glib is gone"), std::string::npos) << state()["failure"];
+    EXPECT_EQ(state()["failure"].get<std::string>().find(file("")), std::string::npos) << "the file, not its path";
+    click("failure.save as");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    press("Return");
+    EXPECT_TRUE(state()["widgets"].contains("save as error")) << "there is no such folder any more";
+    type("save as file", file("moved") + "/two", Field::text);
+    ASSERT_TRUE(wait([&](const json& s) { return s["file"] == file("moved/two.glib"); }));
+    settle();
+    EXPECT_EQ(state()["errors"], 0);
+    EXPECT_EQ(red(), slid);
+    EXPECT_EQ(state()["failure"], "");
+}
+
 TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {
     open("one.glib");
     slide(.75);

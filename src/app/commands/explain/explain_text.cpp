@@ -24,8 +24,8 @@ std::string place_of(const Span& span, const Sources& sources) {
 
 std::string bytes_text(std::uint64_t bytes) {
     if (bytes == 0) return "";
-    if (bytes < 1024 * 1024) return fmt::format("{:.1f} KiB", static_cast<double>(bytes) / 1024);
-    return fmt::format("{:.1f} MiB", static_cast<double>(bytes) / 1024 / 1024);
+    if (bytes < 999'950) return fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3);
+    return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
 std::optional<double> chosen(const std::optional<FrameCost>& cost, const ExplainReport& report) {

@@ -28,6 +28,8 @@ namespace {
 using accuracy::Aim, accuracy::Change, accuracy::FoundResult, accuracy::FoundRung, accuracy::Outcome;
 using Group = ui::FoundRow::Group;
 
+constexpr double saves_nothing = .995;  // of the scene's time: it is shown as 1.00
+
 Group group_of(const FoundRung& rung) {
     if (rung.outcome != Outcome::tried) return Group::untried;
     return rung.aim == Aim::cheaper ? Group::cheaper : rung.aim == Aim::better ? Group::better : Group::unused;
@@ -94,6 +96,7 @@ std::vector<ui::FoundRow> found_rows(const FoundResult& result, const Sources& s
             row.remark = rung.reason.empty() ? "the search was stopped" : utf8::printable(rung.reason);
         else
             measured(row, rung, result);
+        if (row.group == Group::cheaper && !row.front && row.ratio > saves_nothing) row.group = Group::dearer;
         // Of places that are held out, the window says what the report says.
         const bool unseen = !searching && !rung.held_out && result.places.size() > result.searched;
         if (rung.outcome == Outcome::tried && rung.aim != Aim::unused && (rung.only_where_tried || unseen))

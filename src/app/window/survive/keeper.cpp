@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "parser/text/words.h"
+#include "src/app/desktop/folder.h"
+#include "src/app/desktop/settings.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/write_copy.h"
 #include "src/content/files.h"
@@ -36,8 +39,9 @@ std::string restore(int number, Document& document) {
     return fmt::format("snapshot {}{}", number, lost);
 }
 
-void save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& served) {
-    std::string name = dialog.file.data();
+void save_as(const Document& document, ui::Memory& memory, Keeper::Served& served) {
+    ui::SaveAs& dialog = memory.save_as;
+    std::string name = without_tilde(dialog.file.data());
     const std::string last = name.substr(name.rfind('/') + 1);
     if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
     SavedAs saved = saved_as(document, name);
@@ -46,6 +50,7 @@ void save_as(const Document& document, ui::SaveAs& dialog, Keeper::Served& serve
     dialog.error = std::move(saved.error);
     if (!dialog.error.empty()) return;
     dialog.open = false;
+    memory.failure = {};
     served.saved_as = saved.file.path;
 }
 
@@ -63,8 +68,10 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
     Served served;
     std::string& notice = memory.notice;
     if (requests.save) save(document, memory, served);
-    if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
-    if (requests.save_as_now) save_as(document, memory.save_as, served);
+    if (requests.save_as)
+        ui::open_save_as(memory.save_as, short_name(document.path),
+                         utf8::printable(with_tilde(scene_folder(whole_path(document.path)))));
+    if (requests.save_as_now) save_as(document, memory, served);
     if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
     if (requests.store_snapshot > 0) store(requests.store_snapshot, document, memory, served);
     if (requests.copy_command) {
@@ -82,8 +89,11 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     if (!saved.error.empty()) {
         std::error_code unknown;
         const bool there = std::filesystem::exists(document.path, unknown);
+        using Remedy = ui::Failure::Remedy;
         memory.failure = {"not saved: " + without_folder(std::move(saved.error), document.path),
-                          changed && there ? ui::Failure::Remedy::reload : ui::Failure::Remedy::save_as};
+                          !there    ? Remedy::save_as
+                          : changed ? Remedy::reload
+                                    : Remedy::save};
         return;
     }
     memory.failure = {};
