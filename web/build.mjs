@@ -2,8 +2,9 @@
 //   page.html     one page with everything; `snell web` fills in its data blocks
 //   snell.html    the same with the shipped scenes as examples, for scenes that are dropped on it
 //   gallery.html  the page without bundle and runtime, which runtime.js has for a whole folder of pages
+//   site/         snell.html as a folder for any static host, which can be installed and works offline
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
@@ -34,6 +35,7 @@ async function bundled() {
         target: 'es2022',
         charset: 'utf8',
         // snell.js asks for its own address, and for node's modules where it runs there.
+        loader: { '.glib': 'text', '.vert': 'text', '.frag': 'text' },
         define: { 'import.meta.url': '"file:///snell.js"' },
         external: ['module', 'fs', 'path', 'url', 'node:*', 'worker_threads'],
         alias: fake ? {} : { 'snell-engine': join(resolve(engine), 'snell.js') },
@@ -51,38 +53,59 @@ async function styled() {
     return (await transform(sheets.join('\n'), { loader: 'css', minify: true })).code.trim();
 }
 
+// The program that draws pictures of the examples; without it there are none.
+const native = process.env.SNELL ?? join(here, '../build/release/bin/snell');
 const hash = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 
-function policy(script, style) {
+function policy(script, style, more = '') {
     return [
         "default-src 'none'",
         `script-src ${script} 'wasm-unsafe-eval'`,
-        'worker-src blob:',
-        'img-src blob: data:',
-        `style-src ${hash(style)}`,
+        `worker-src blob:${more}`,
+        `img-src blob: data:${more}`,
+        `style-src ${style}`,
+        ...(more ? [`manifest-src${more}`] : []),
         "base-uri 'none'",
         "form-action 'none'",
     ].join('; ');
 }
 
-function page(parts) {
-    const template = readFileSync(join(here, 'page/page.html'), 'utf8');
-    return template.replace(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
+function filled(name, parts) {
+    return readFileSync(join(here, name), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => parts[name]);
 }
+const page = (parts) => filled('page/page.html', parts);
 
 const [bundle, style] = await Promise.all([bundled(), styled()]);
 const empty = Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]); // the smallest program
 const program = fake ? empty : readFileSync(join(engine, 'snell.wasm'));
 const packed = gzipSync(program, { level: 9 }).toString('base64');
 const runtime = `<script type="text/plain" id="runtime">${packed}</script>`;
-const inline = { style, policy: policy(hash(bundle), style), script: `<script>${bundle}</script>` };
+const own = { head: '<link rel="icon" href="data:,">', style: `<style>${style}</style>` };
+const inline = { ...own, policy: policy(hash(bundle), hash(style)), script: `<script>${bundle}</script>` };
 mkdirSync(out, { recursive: true });
 const write = (name, text) => writeFileSync(join(out, name), text);
 write('page.html', page({ ...inline, blocks: runtime }));
-write('snell.html', page({ ...inline, blocks: `${runtime}\n${examples()}` }));
+const start = existsSync(native) ? examples(native, join(out, 'pictures')) : examples();
+write('snell.html', page({ ...inline, blocks: `${runtime}\n${start}` }));
 // Files on a disk have no origin of their own, which 'self' would name.
-const shared = { style, policy: policy("'self' file:", style), script: '<script src="runtime.js"></script>' };
+const script = '<script src="runtime.js"></script>';
+const shared = { ...own, policy: policy("'self' file:", hash(style)), script };
 write('gallery.html', page({ ...shared, blocks: '' }));
-write('runtime.js', `var snellRuntime=${JSON.stringify(packed)};\n${bundle}\n`);
+const runtimeScript = `var snellRuntime=${JSON.stringify(packed)};\n${bundle}\n`;
+write('runtime.js', runtimeScript);
+
+// Nothing of it is inline, so that hosts may forbid that.
+const head = '<link rel="icon" href="icon.svg"><link rel="manifest" href="manifest.json">';
+const site = { head, style: '<link rel="stylesheet" href="style.css">', policy: policy("'self'", "'self'", " 'self'"), script };
+const index = page({ ...site, blocks: start });
+const parts = { 'index.html': index, 'runtime.js': runtimeScript, 'style.css': style };
+mkdirSync(join(out, 'site'), { recursive: true });
+for (const [name, text] of Object.entries(parts)) write(join('site', name), text);
+copyFileSync(join(here, '../desktop/snell.svg'), join(out, 'site/icon.svg'));
+copyFileSync(join(here, 'page/site/manifest.json'), join(out, 'site/manifest.json'));
+const facts = { version: createHash('sha256').update(Object.values(parts).join()).digest('hex').slice(0, 12) };
+facts.files = JSON.stringify(['./', ...Object.keys(parts).slice(1), 'icon.svg', 'manifest.json']);
+write('site/service.js', filled('page/site/service.js', facts));
 const sizes = { bundle: gzipSync(bundle).length, style: gzipSync(style).length, runtime: Math.round(packed.length * 0.75) };
-for (const [name, bytes] of Object.entries(sizes)) console.log(`${name.padEnd(8)} ${(bytes / 1000).toFixed(1).padStart(7)} kB gzipped`);
+const most = { runtime: ' of at most 760' }; // tests/budgets.browser.mjs holds it
+for (const [name, bytes] of Object.entries(sizes)) console.log(`${name.padEnd(8)} ${(bytes / 1000).toFixed(1).padStart(7)} kB gzipped${most[name] ?? ''}`);

@@ -13,6 +13,16 @@ import re
 import sys
 
 
+def restored(bytes_, begin, pixel, row):
+    """A BMP image, each byte of whose pixels is less what its neighbours foretell, as in PNG."""
+    out = bytearray(bytes_)
+    for i in range(begin, len(out)):
+        left, above, corner = (out[i - d] if i >= begin + d else 0 for d in (pixel, row, row + pixel))
+        guess = left + above - corner
+        out[i] = (out[i] + min((left, above, corner), key=lambda each: abs(guess - each))) % 256
+    return bytes(out)
+
+
 def main():
     page, folder = pathlib.Path(sys.argv[1]).read_text(encoding="utf-8"), pathlib.Path(sys.argv[2])
     block = r'<script type="%s" id="%s">([^<]*)</script>'
@@ -25,7 +35,8 @@ def main():
         file = folder / (name + (".decoded" if entry["decoded"] else ""))
         file.parent.mkdir(parents=True, exist_ok=True)
         assert not file.exists(), name
-        file.write_bytes(rest[:entry["size"]])
+        bytes_ = rest[:entry["size"]]
+        file.write_bytes(restored(bytes_, *entry["rows"]) if "rows" in entry else bytes_)
         rest = rest[entry["size"]:]
     assert rest == b""
     (folder / "page.json").write_text(json.dumps(json.loads(scene)))

@@ -28,6 +28,16 @@ TEST_F(Web, APageHoldsTheValuesAndTheView) {
     EXPECT_TRUE(made.says("197 kB  wood.bmp")) << made.output;
 }
 
+TEST_F(Web, LoopsThatMayNotEndAreNamed) {
+    folder.write("l.frag",
+                 "void main() {\n  float x = 0.;\n  while (true) x += gl_FragCoord.x;\n  gl_FragColor = vec4(x);\n}\n");
+    folder.write("l.glib", "Fragment l.frag\nProgram L\nQuadXY 0. 1.\n");
+    const Outcome made = web("l.glib -o p.html");
+    EXPECT_EQ(made.status, 0) << made.output;
+    EXPECT_TRUE(made.says("[many-rounds]")) << made.output;
+    EXPECT_TRUE(made.says("l.frag:3:")) << made.output;
+}
+
 TEST_F(Web, WithoutValuesThePageIsTheScenes) {
     folder.write("s.glib", plain);
     ASSERT_EQ(web("s.glib -o p.html").status, 0);

@@ -111,6 +111,26 @@ TEST_F(WebFiles, TwoFilesOfOneNameAreRefusedWhereOneMustMove) {
     EXPECT_FALSE(there("p.html"));
 }
 
+// Pages of cube maps are mostly these: without what neighbours foretell, they pack into much less.
+TEST_F(WebFiles, ABmpImageIsPackedWithoutLoss) {
+    const std::string bytes = bytes_of(at("wood.bmp"));
+    folder.write("w.glib", quad("wood.bmp"));
+    ASSERT_EQ(web("w.glib -o p.html").status, 0);
+    unpack("p.html", "un");
+    EXPECT_TRUE(bytes_of(at("un/wood.bmp")) == bytes);
+    folder.write("plain", bytes);
+    run("gzip -9 '" + at("plain") + "'");
+    const auto packed = static_cast<double>(bytes_of(at("p.html")).size()) * 3 / 4;
+    EXPECT_LT(packed, .8 * static_cast<double>(bytes_of(at("plain.gz")).size()));
+    for (const std::string name : {"letter", "rainbow"}) {  // rows that are padded
+        const std::string other = bytes_of(SNELL_ROOT "/tests/cases/files/" + name + ".bmp");
+        folder.write("wood.bmp", other);
+        ASSERT_EQ(web("w.glib -o p.html").status, 0);
+        unpack("p.html", name);
+        EXPECT_TRUE(bytes_of(at(name + "/wood.bmp")) == other) << name;
+    }
+}
+
 TEST_F(WebFiles, NamesThatPagesRefuseAreRefused) {
     for (const char* name : {"C:foo.glib", "a\\b.glib"}) {
         folder.write(name, quad("wood.bmp"));

@@ -50,7 +50,14 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
     EXPECT_EQ(index.find("class/"), std::string::npos) << "no folder is named";
     EXPECT_NE(index.find("Content-Security-Policy"), std::string::npos);
     EXPECT_EQ(index.find(folder.path()), std::string::npos);
+    for (const char* title : {"<h2>ann/ball</h2>", "<h2>bob/ball</h2>", "<h2>Index</h2>"})
+        EXPECT_EQ(count(index, title), 1u) << title << ": folders where names repeat";
+    EXPECT_NE(bytes_of(at("out/ann-ball.html")).find("<title>ann/ball</title>"), std::string::npos);
     EXPECT_TRUE(bytes_of(at("out/runtime.js")).ends_with("\n// runtime\n"));
+    EXPECT_EQ(count(bytes_of(at("out/runtime.js")), R"(=[["ann-ball.html","ann/ball"],["Index-2.html","Index"],)"
+                                                    R"(["bob-ball.html","bob/ball"]];)"),
+              1u)
+        << "each page finds its neighbours in it";
     EXPECT_EQ(unpack("out/bob-ball.html", "un")["scene"], "ball.glib");
     EXPECT_EQ(bytes_of(at("un/wood.bmp")), bytes_of(at("wood.bmp")));
     ASSERT_EQ(web("--gallery class -o again").status, 0);

@@ -1,10 +1,12 @@
 // web/page/editor/words.json: what the page's editor highlights and completes.
+#include <algorithm>
 #include <set>
 
 #include "parser/commands/commands.h"
 #include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/glsl/glsl.h"
+#include "src/language/shader/builtins.h"
 #include "tools/docs/generate.h"
 
 namespace snell::docs {
@@ -19,6 +21,20 @@ std::string json_text(std::string_view text) {
 }
 
 namespace {
+
+// A few entries a line: these lists seldom change.
+std::string rows(std::vector<std::string_view> words) {
+    std::sort(words.begin(), words.end());
+    std::string out;
+    std::size_t width = 0;
+    for (const std::string_view word : words) {
+        const std::string entry = json_text(word);
+        const bool full = out.empty() || width + entry.size() > 110;
+        out += (out.empty() ? "" : ",") + std::string(full ? "\n" : " ") + entry;
+        width = (full ? 0 : width) + entry.size() + 2;
+    }
+    return "[" + out + "\n]";
+}
 
 // One entry a line, so that a change of the table is a short difference.
 std::string lines(const std::vector<std::string>& entries) {
@@ -38,15 +54,13 @@ std::vector<std::string> command_entries() {
     return out;
 }
 
-std::vector<std::string> choice_entries() {
+std::string choice_rows() {
     std::set<std::string_view> words;
     for (const Command& c : commands())
         for (const Parameter& p : c.signature.parameters)
             for (const std::string_view word : split(p.choices, '/')) words.insert(word);
     for (const std::string_view name : topology_names()) words.insert(name);
-    std::vector<std::string> out;
-    for (const std::string_view word : words) out.push_back(json_text(word));
-    return out;
+    return rows({words.begin(), words.end()});
 }
 
 template <typename Facts>
@@ -71,8 +85,10 @@ std::vector<std::string> variable_entries() {
 }  // namespace
 
 std::string page_words() {
-    return "{\"commands\": " + lines(command_entries()) + ",\n\"choices\": " + lines(choice_entries()) +
-           ",\n\"variables\": " + lines(variable_entries()) + "}\n";
+    return "{\"commands\": " + lines(command_entries()) + ",\n\"choices\": " + choice_rows() +
+           ",\n\"variables\": " + lines(variable_entries()) + ",\n\"keywords\": " + rows(language::keywords()) +
+           ",\n\"types\": " + rows(language::type_names()) +
+           ",\n\"functions\": " + rows(language::function_names(true)) + "}\n";
 }
 
 }  // namespace snell::docs

@@ -7,6 +7,7 @@
 
 #include "src/content/text_forms.h"
 #include "src/document/document.h"
+#include "src/lint/lint.h"
 #include "src/plan/setup.h"
 #include "src/plan/view.h"
 #include "web/interface/checked.h"
@@ -194,6 +195,20 @@ EMSCRIPTEN_KEEPALIVE const char* snell_picture(Engine* engine, double time, int 
     std::string error;
     engine->bytes =
         engine->drawing.picture(engine->scene, {time, width, height, split, mouse_x, mouse_y}, samples, error);
+    return engine->say(std::move(error));
+}
+
+// A picture of another scene, as it is written, without a trace in the one that is shown. Returns "" or why there is
+// none; snell_bytes has it.
+EMSCRIPTEN_KEEPALIVE const char* snell_preview(Engine* engine, const char* path, int width, int height) {
+    if (!engine->drawing.ready()) return engine->say("there are no graphics");
+    OpenScene scene;
+    const Reading reading = scene.open(path, {}, engine->drawing.caps());
+    const Diagnostics& found = reading.shown ? scene.document()->diagnostics : reading.refused->diagnostics;
+    std::string error;
+    if (const Diagnostic* const first = first_error(found)) error = first->message;
+    if (error.empty() && lint::may_not_end(found)) error = "it has loops that may not end";
+    if (error.empty()) engine->bytes = engine->drawing.picture(scene, {0, width, height, 1, 0, 0}, 4, error);
     return engine->say(std::move(error));
 }
 

@@ -1,5 +1,6 @@
 #include "web/interface/open_scene.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "parser/text/ranges.h"
@@ -33,12 +34,22 @@ void set_value_with_comma(const std::string& assignment, Controls& controls, con
     problems.append(wrong);
 }
 
+constexpr std::uint64_t most_image_bytes = std::uint64_t{512} << 20;  // decoding takes three times as much
+
 bool names_ladder(const Scene& scene, const std::string& assignment) {
     return ranges::find(scene.ladders, assignment.substr(0, assignment.find('=')), &Ladder::name) !=
            scene.ladders.end();
 }
 
 }  // namespace
+
+Access page_access(const gl::Caps& caps) {
+    Access access;
+    access.limits.texture_bytes = most_image_bytes;
+    if (caps.max_texture > 0)
+        access.limits.texture_side = std::min(access.limits.texture_side, static_cast<std::uint64_t>(caps.max_texture));
+    return access;
+}
 
 Reading OpenScene::open(const std::string& path, const Settings& settings, const gl::Caps& caps) {
     Reading reading;
@@ -59,7 +70,7 @@ Reading OpenScene::open(const std::string& path, const Settings& settings, const
     };
     RuntimeOptions options;
     options.previous = shown_ ? &*shown_->runtime : nullptr;
-    auto read = open_document(path, caps, choose, planned, options);
+    auto read = open_document(path, caps, choose, planned, options, page_access(caps));
     reading.shown = read->runtime && (!again || no_new_errors(shown_->diagnostics, read->diagnostics));
     if (reading.shown)
         take(std::move(read), std::move(plan), settings, again, reading.settings);
@@ -110,7 +121,7 @@ const Diagnostics& OpenScene::choose(std::size_t ladder, std::size_t rung) {
 std::unique_ptr<Document> OpenScene::compiled(const Plan& plan, const gl::Caps& caps, const Runtime* previous) const {
     auto document = std::make_unique<Document>();
     document->path = shown_->path;
-    document->files = std::make_unique<Files>(scene_folder(document->path));
+    document->files = std::make_unique<Files>(scene_folder(document->path), page_access(caps));
     document->sources = shown_->sources;
     RuntimeOptions options;
     options.previous = previous;

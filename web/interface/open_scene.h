@@ -21,6 +21,9 @@ struct Settings {
     bool lints = true;
 };
 
+// Images beyond what the browser draws, or has the memory for, are refused at their places.
+Access page_access(const gl::Caps& caps);
+
 // What a reading of the scene found.
 struct Reading {
     bool shown = false;  // false: what was shown before is shown still

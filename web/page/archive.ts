@@ -17,6 +17,8 @@ interface Entry {
     name: string;
     size: number;
     decoded: boolean;
+    // Of a BMP image: where its pixels begin, and bytes of a pixel and of a row.
+    rows?: [begin: number, pixel: number, row: number];
 }
 
 // What is wrong with a name, or "".
@@ -75,13 +77,28 @@ export async function gunzip(packed: Uint8Array<ArrayBuffer>, most: number): Pro
 }
 
 function entryOf(value: unknown): Entry {
-    const { name, size, decoded } = (value ?? {}) as Record<string, unknown>;
+    const { name, size, decoded, rows } = (value ?? {}) as Record<string, unknown>;
     if (typeof name !== 'string') throw new Error('A file of this page has no name.');
     const problem = nameProblem(name);
     if (problem !== '') throw new Error(`The name ${JSON.stringify(name)} of a file ${problem}.`);
     if (typeof size !== 'number' || !Number.isSafeInteger(size) || size < 0)
         throw new Error(`The size of the file ${JSON.stringify(name)} is not a number of bytes.`);
-    return { name, size, decoded: decoded === true };
+    if (rows === undefined) return { name, size, decoded: decoded === true };
+    const fits = Array.isArray(rows) && rows.length === 3 && rows.every((each) => Number.isSafeInteger(each) && each > 0 && each <= 2 ** 31);
+    if (!fits) throw new Error(`The rows of the image ${JSON.stringify(name)} are no numbers of bytes.`);
+    return { name, size, decoded: decoded === true, rows: rows as Entry['rows'] };
+}
+
+// Adds to each byte what its neighbours foretell, as in PNG (src/app/page/scene_files.cpp).
+function foretell(bytes: Uint8Array, [begin, pixel, row]: [number, number, number]): void {
+    for (let i = begin; i < bytes.length; ++i) {
+        const left = i < begin + pixel ? 0 : bytes[i - pixel]!;
+        const above = i < begin + row ? 0 : bytes[i - row]!;
+        const corner = i < begin + row + pixel ? 0 : bytes[i - row - pixel]!;
+        const guess = left + above - corner;
+        const [a, b, c] = [Math.abs(guess - left), Math.abs(guess - above), Math.abs(guess - corner)];
+        bytes[i] = bytes[i]! + (a <= b && a <= c ? left : b <= c ? above : corner);
+    }
 }
 
 function entriesOf(header: string): Entry[] {
@@ -112,9 +129,10 @@ export function filesOf(archive: Uint8Array): Unpacked {
     const entries = entriesOf(new TextDecoder().decode(archive.subarray(0, end)));
     const unpacked: Unpacked = { files: new Map(), originals: new Map() };
     let at = end + 1;
-    for (const { name, size, decoded } of entries) {
+    for (const { name, size, decoded, rows } of entries) {
         if (size > archive.length - at) throw new Error(`The file ${JSON.stringify(name)} is cut off.`);
         const bytes = archive.subarray(at, at + size);
+        if (rows) foretell(bytes, rows);
         at += size;
         const known = unpacked.files.get(name);
         if ((known !== undefined) !== decoded || unpacked.originals.has(name))

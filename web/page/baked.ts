@@ -175,6 +175,10 @@ class BakedEngine implements Engine {
     settle(): boolean {
         return false;
     }
+    async restart(): Promise<void> {}
+    preview(): string {
+        return 'there are no other pictures';
+    }
     picture(frame: Frame): Uint8ClampedArray | string {
         const canvas = document.createElement('canvas');
         canvas.width = frame.width;

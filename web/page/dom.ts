@@ -42,6 +42,21 @@ export function takesText(target: EventTarget | null): boolean {
     return target instanceof HTMLInputElement && /^(text|number|search)$/.test(target.type);
 }
 
+// What the browser keeps for small things, if it does.
+export function stored<T>(use: (store: Storage) => T): T | undefined {
+    try {
+        return use(localStorage);
+    } catch {
+        return undefined;
+    }
+}
+
+export function canvasOf(pixels: Uint8ClampedArray, width: number, height: number): HTMLCanvasElement {
+    const canvas = el('canvas', { width, height });
+    canvas.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(pixels), width, height), 0, 0);
+    return canvas;
+}
+
 export function download(name: string, blob: Blob): void {
     const url = URL.createObjectURL(blob);
     const link = el('a', { href: url, download: name });

@@ -96,7 +96,31 @@ export interface Saved {
     error: string;
 }
 
+// The program has ended, as for want of memory: only restart() may be called.
+export class Crash extends Error {}
+
+// Calls `crashed` when the program ends.
+export function guarded<Guarded extends Engine>(engine: Guarded, crashed: (why: string) => void): Guarded {
+    return new Proxy(engine, {
+        get(target, name) {
+            const value = Reflect.get(target, name) as unknown;
+            if (typeof value !== 'function') return value;
+            return (...values: unknown[]) => {
+                try {
+                    return value.apply(target, values) as unknown;
+                } catch (error) {
+                    if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error;
+                    crashed(error.message);
+                    throw new Crash(error.message);
+                }
+            };
+        },
+    });
+}
+
 export interface Engine {
+    // Begins again, without files and graphics.
+    restart(): Promise<void>;
     // Makes a context on the canvas. "" or why there is none.
     start(canvas: HTMLCanvasElement): Promise<string>;
     // The driver's name and limits, for people.
@@ -136,6 +160,9 @@ export interface Engine {
     settle(frame: Frame): boolean;
     // RGBA bytes, the top row first, of any size that fits into the limits; a message otherwise.
     picture(frame: Frame, samples: number): Uint8ClampedArray | string;
+
+    // A small picture of another scene, as it is written; a message if there is none.
+    preview(scene: string, width: number, height: number): Uint8ClampedArray | string;
 
     // The files with the values as they are now, edited where the values stand; an error otherwise.
     saved(): Saved;

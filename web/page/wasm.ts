@@ -44,6 +44,7 @@ interface Program {
     _snell_draw(engine: Pointer, ...moment: Moment): void;
     _snell_settle(engine: Pointer, ...moment: Moment): number;
     _snell_picture(engine: Pointer, ...moment: [...Moment, number]): Pointer;
+    _snell_preview(engine: Pointer, scene: Pointer, width: number, height: number): Pointer;
     _snell_decode(engine: Pointer, name: Pointer, bytes: Pointer, size: number): Pointer;
     _snell_bytes(engine: Pointer): Pointer;
     _snell_byte_count(engine: Pointer): number;
@@ -70,25 +71,34 @@ function sameBytes(a: Uint8Array, b: Uint8Array): boolean {
 }
 
 export class WasmEngine implements Engine {
-    private readonly engine: Pointer;
+    private program!: Program;
+    private engine: Pointer = 0;
     private writes = 0;
 
-    private constructor(private readonly program: Program) {
-        this.engine = program._snell_new();
-        program.FS.mkdirTree(folder);
-        program.FS.chdir(folder);
-    }
+    private constructor(
+        private readonly make: MakeProgram,
+        private readonly runtime: WebAssembly.Module,
+    ) {}
 
     // `make` is the default export of snell.js, `runtime` is snell.wasm: compiled once for the page and its worker.
     static async load(make: MakeProgram, runtime: WebAssembly.Module): Promise<WasmEngine> {
-        const program = new Promise<Program>((resolve, reject) => {
+        const engine = new WasmEngine(make, runtime);
+        await engine.restart();
+        return engine;
+    }
+
+    async restart(): Promise<void> {
+        const { make, runtime } = this;
+        this.program = await new Promise<Program>((resolve, reject) => {
             const instantiateWasm: Instantiate = (imports, done) => {
                 WebAssembly.instantiate(runtime, imports).then((instance) => done(instance, runtime), reject);
                 return {};
             };
             make({ instantiateWasm }).then(resolve, reject);
         });
-        return new WasmEngine(await program);
+        this.engine = this.program._snell_new();
+        this.program.FS.mkdirTree(folder);
+        this.program.FS.chdir(folder);
     }
 
     // Pictures are drawn and multisampled in a framebuffer of the program's own, and then copied to the canvas.
@@ -196,6 +206,11 @@ export class WasmEngine implements Engine {
 
     picture(frame: Frame, samples: number): Uint8ClampedArray | string {
         const error = this.program.UTF8ToString(this.program._snell_picture(this.engine, ...moment(frame), samples));
+        return error || new Uint8ClampedArray(this.takenBytes().buffer);
+    }
+
+    preview(scene: string, width: number, height: number): Uint8ClampedArray | string {
+        const error = this.call((path) => this.program._snell_preview(this.engine, path, width, height), scene);
         return error || new Uint8ClampedArray(this.takenBytes().buffer);
     }
 

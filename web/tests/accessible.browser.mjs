@@ -74,7 +74,15 @@ const states = {
         await page.waitForSelector('.editor-code >>> .cm-lintRange-error');
     },
     'the search': () => press(page, 'Find'),
-    'ready pictures': () => shows(page, baked),
+    'edits of an earlier visit': async () => {
+        await new Promise((resolve) => setTimeout(resolve, 600));
+        await page.reload();
+        await page.waitForSelector('.editor-dialog[open]');
+    },
+    'ready pictures': async () => {
+        await press(page, 'Discard', '.editor-dialog[open]');
+        await shows(page, baked);
+    },
     'the page without a scene': async () => {
         await page.goto(builtPage('snell.html'));
         await page.waitForSelector('.editor-welcome li');

@@ -18,6 +18,19 @@ test('files come out as they went in', async () => {
     assert.equal(originals.size, 0);
 });
 
+test('the pixels of a BMP image are as they were, and rows that are none are refused', () => {
+    const pixels = Uint8Array.from({ length: 36 }, (_, i) => (i * 37) ^ (i >> 2)); // four rows of three pixels
+    const packed = pixels.map((byte, i) => {
+        const [left, above, corner] = [3, 9, 12].map((back) => pixels[i - back] ?? 0) as [number, number, number];
+        const guess = left + above - corner;
+        return byte - [left, above, corner].reduce((best, each) => (Math.abs(guess - each) < Math.abs(guess - best) ? each : best));
+    });
+    const all = (rows: unknown) => new Uint8Array([...archive([{ name: 'a.bmp', size: 40, decoded: false, rows }], 'head'), ...packed]);
+    const { files } = filesOf(all([4, 3, 9]));
+    assert.deepEqual(files.get('a.bmp'), new Uint8Array([...new TextEncoder().encode('head'), ...pixels]));
+    for (const rows of [[4, 3], [4, 0, 9], [4, 3, -9], [4, 3, 1e300], 'x', [4, 3, '9']]) assert.throws(() => filesOf(all(rows)), /no numbers of bytes/);
+});
+
 test('a page without a scene has no files', async () => {
     assert.equal((await unpack(' \n')).files.size, 0);
 });

@@ -13,7 +13,7 @@ let page, said;
 before(async () => {
     ({ page, said } = await tab(await chromium(), { width: 800, height: 500 }));
     await page.goto(builtPage('snell.html'));
-    await until(page, (count) => document.querySelectorAll('.editor-welcome li').length === count, examples.length);
+    await until(page, (count) => [...document.querySelectorAll('.editor-welcome section')].find((each) => each.firstChild.textContent === 'Examples')?.querySelectorAll('li').length === count, examples.length);
 });
 
 const shownErrors = () =>
@@ -40,7 +40,7 @@ for (const [i, { scene }] of examples.entries()) {
     const name = scene.replace(/^.*\/|\.glib$/g, '');
     test(`the example ${name} opens after the one before`, async () => {
         await openList();
-        await opens(async () => (await page.$$('.editor-welcome li button'))[i].click(), name);
+        await opens(async () => (await page.$$('.editor-welcome section:last-child li button'))[i].click(), name);
         const tabs = await page.$$eval('.editor-tabs [role=tab]', (all) => all.map((each) => each.textContent));
         assert.ok(tabs.some((text) => text.includes(`${name}.glib`)), String(tabs));
     });

@@ -21,6 +21,7 @@ async function writePage() {
         entryPoints: [join(here, 'harness/editor.ts'), join(here, '../page/editor/editor.css')],
         bundle: true,
         format: 'iife',
+        loader: { '.glib': 'text', '.vert': 'text', '.frag': 'text' },
         outdir: folder,
         write: false,
     });

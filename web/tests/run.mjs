@@ -20,6 +20,7 @@ try {
         bundle: true,
         platform: 'node',
         format: 'esm',
+        loader: { '.glib': 'text', '.vert': 'text', '.frag': 'text' },
         outdir: out,
         outExtension: { '.js': '.mjs' },
     });

@@ -47,7 +47,7 @@ bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& 
             const fs::path& path = entry->path();
             if (!has_extension(path.native(), "glib") || !entry->is_regular_file(error)) continue;
             if (!known.insert(fs::weakly_canonical(path, error)).second) continue;
-            exhibits.push_back({path.lexically_normal().string(), folder, {}});
+            exhibits.push_back({path.lexically_normal().string(), folder, {}, {}});
         }
         std::sort(exhibits.begin() + static_cast<std::ptrdiff_t>(first), exhibits.end(),
                   [](const Exhibit& a, const Exhibit& b) { return a.scene < b.scene; });
@@ -85,7 +85,7 @@ public:
           exhibit_(exhibit),
           page_(page),
           access_(access_to(exhibit.scene, options.access, options.grade)),
-          row_{utf8::printable(fs::path(exhibit.scene).stem().string()), {}, {}, {}} {}
+          row_{exhibit.title, {}, {}, {}} {}
 
     // Returns the exit status; the row is good with exit_fine.
     Exit make() {
@@ -109,7 +109,7 @@ private:
     }
 
     Exit write_page(const OpenedScene& opened) {
-        const PageParts parts = page_parts(exhibit_.scene, {}, options_.link, opened, access_);
+        const PageParts parts = page_parts(exhibit_.scene, exhibit_.title, options_.link, opened, access_);
         row_.error = parts.error;
         if (!row_.error.empty()) return exit_fine;
         row_.picture = small_picture(opened);
@@ -160,7 +160,7 @@ GalleryRow row_of(const GalleryOptions& options, const Exhibit& exhibit, const s
     GalleryRow row = read_row(ended.output);
     if (ended.status == exit_graphics || ended.status == exit_input) status = static_cast<Exit>(ended.status);
     if (ended.status != exit_fine)
-        row = {utf8::printable(fs::path(exhibit.scene).stem().string()),
+        row = {exhibit.title,
                {},
                {},
                ended.status == exit_timeout ? fmt::format("it takes longer than {} seconds", options.timeout)
@@ -235,7 +235,7 @@ Exit make_gallery(const GalleryOptions& options) {
         if (status != exit_fine) return status;
     }
     const fs::path folder(options.output);
-    error = content::replace_file((folder / "runtime.js").string(), gallery_runtime(runtime));
+    error = content::replace_file((folder / "runtime.js").string(), gallery_runtime(runtime, rows));
     if (error.empty()) error = content::replace_file((folder / "index.html").string(), gallery_index(rows));
     for (std::size_t i = 0; i < rows.size() && error.empty(); ++i)
         if (!rows[i].error.empty()) error = remove_old_page(folder / exhibits[i].page);
@@ -291,9 +291,17 @@ std::string page_name(std::string_view text) {
 
 std::string name_of_scene(const Exhibit& exhibit) { return page_name(fs::path(exhibit.scene).stem().string()); }
 
-std::string name_with_folders(const Exhibit& exhibit) {
+// As seen from the folder that was named.
+fs::path name_with_folders(const Exhibit& exhibit) {
     const fs::path near = fs::path(exhibit.scene).lexically_relative(fs::path(exhibit.folder).lexically_normal());
-    return page_name((near.parent_path() / near.stem()).string());
+    return near.parent_path() / near.stem();
+}
+
+// Scenes right in the folders that were named are told apart by these.
+std::string title_with_folders(const Exhibit& exhibit) {
+    const fs::path name = name_with_folders(exhibit);
+    const fs::path around = fs::weakly_canonical(exhibit.scene).parent_path().filename();
+    return utf8::printable((name.has_parent_path() ? name : around / name).string());
 }
 
 }  // namespace
@@ -307,7 +315,9 @@ void name_pages(std::vector<Exhibit>& exhibits) {
         for (Exhibit& exhibit : exhibits) {
             const std::string own = name_of_scene(exhibit);
             if ((scenes[folded(own)] > 1) != clash) continue;
-            const std::string name = clash ? name_with_folders(exhibit) : own;
+            const std::string name = clash ? page_name(name_with_folders(exhibit).string()) : own;
+            exhibit.title =
+                clash ? title_with_folders(exhibit) : utf8::printable(fs::path(exhibit.scene).stem().string());
             std::string unique = name;
             for (int number = 2; !taken.insert(folded(unique)).second; ++number)
                 unique = fmt::format("{}-{}", name, number);
@@ -319,7 +329,7 @@ namespace {
 
 constexpr std::string_view index_style =
     R"(body { max-width: 70rem; }
-ul { display: grid; grid-template-columns: repeat(auto-fill, minmax(11rem, 1fr)); gap: 1rem; margin: 0; padding: 0; list-style: none; }
+ul { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(11rem, calc(50% - .5rem)), 1fr)); gap: 1rem; margin: 0; padding: 0; list-style: none; }
 li { border: 1px solid var(--weak); border-radius: .5rem; padding: .5rem; overflow-wrap: anywhere; }
 h2 { margin: .25rem 0; font-size: 1rem; }
 img { display: block; width: 100%; height: 8rem; object-fit: contain; }
@@ -361,7 +371,12 @@ bool is_gallery_index(std::string_view page) {
     return page.find(fmt::format("<meta name=\"generator\" content=\"{}\">", made_by)) != page.npos;
 }
 
-std::string gallery_runtime(std::string_view script) { return fmt::format("{}{}", runtime_mark, script); }
+std::string gallery_runtime(std::string_view script, const std::vector<GalleryRow>& rows) {
+    nlohmann::ordered_json pages = nlohmann::ordered_json::array();
+    for (const GalleryRow& row : rows)
+        if (row.error.empty()) pages.push_back({row.page, row.title});
+    return fmt::format("{}var snellGallery={};\n{}", runtime_mark, script_json(pages), script);
+}
 
 bool is_gallery_runtime(std::string_view script) { return script.starts_with(runtime_mark); }
 

@@ -29,15 +29,15 @@ Exit make_gallery(const GalleryOptions& options);
 
 // Names of the pages of a gallery.
 
-// A scene, and the file name of its page.
+// A scene, and the file name and title of its page.
 struct Exhibit {
     std::string scene, folder;  // `folder`: the one that was named
-    std::string page;
+    std::string page, title;
 };
 
-// Names each page after its scene. Scenes that would have one name get the names of their folders, too, and a number if
-// that is not enough; the names of all other scenes do not depend on them. Upper and lower case are the same name,
-// because folders move to systems that do not tell them apart.
+// Names each page after its scene, and titles it so. Scenes that would have one name get the names of their folders,
+// too, and a number if that is not enough; the names of all other scenes do not depend on them. Upper and lower case
+// are the same name, because folders move to systems that do not tell them apart.
 void name_pages(std::vector<Exhibit>& exhibits);
 
 // The first page of a gallery.
@@ -58,8 +58,9 @@ std::string gallery_index(const std::vector<GalleryRow>& rows);
 // True for what gallery_index() returned: only that may be replaced by another one.
 bool is_gallery_index(std::string_view page);
 
-// The script that all pages of a gallery share, from the browser's part.
-std::string gallery_runtime(std::string_view script);
+// The script that all pages of a gallery share, from the browser's part, with the list of the pages that there are:
+// each links to its neighbours.
+std::string gallery_runtime(std::string_view script, const std::vector<GalleryRow>& rows);
 // True for what gallery_runtime() returned.
 bool is_gallery_runtime(std::string_view script);
 

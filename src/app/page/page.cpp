@@ -14,6 +14,7 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
+#include "src/app/open/warnings.h"
 #include "src/app/page/scene_files.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/files.h"
@@ -56,7 +57,9 @@ OpenedScene opened_scene(const std::string& scene, const Start& start, const gl:
     const auto choose = [&](const Scene& read, Rungs& rungs) {
         choose_rungs(scene, {start.quality, start.ladders, {}}, access, read, rungs, problems);
     };
-    opened.document = open_document(scene, caps, choose, nullptr, {}, access);
+    // A browser has nobody who ends a picture that takes too long.
+    const auto planned = [](const Plan& plan, Document& read) { read.diagnostics.append(too_many_rounds(plan, read)); };
+    opened.document = open_document(scene, caps, choose, planned, {}, access);
     Document& document = *opened.document;
     if (document.runtime) {
         document.controls.rungs = document.runtime->rungs();

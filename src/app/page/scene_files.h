@@ -23,7 +23,8 @@ struct PackedFile {
 inline constexpr std::size_t most_page_files = 10'000;
 inline constexpr std::uint64_t most_page_bytes = std::uint64_t{512} << 20;  // of all files together
 
-// One line of JSON with the names and sizes, then the bytes of all files.
+// One line of JSON with the names and sizes, then the bytes of all files. Of plain BMP images it has `rows`, and of
+// each byte of their pixels what its neighbours do not foretell.
 std::string archive(std::span<const PackedFile> files);
 
 // The same bytes give the same text: no time and no name is in it.

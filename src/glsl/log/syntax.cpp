@@ -62,6 +62,20 @@ struct Around {
     Span span(FileId file, std::size_t i) const { return {file, all[i].begin, all[i].end}; }
 };
 
+// The '{' whose block the last '}' before `at` ended; all.size() if there is none.
+std::size_t last_block(const Around& a) {
+    std::vector<std::size_t> open;
+    std::size_t ended = a.all.size();
+    for (std::size_t i = 0; i < a.at; ++i) {
+        if (a.all[i].directive) continue;
+        if (a.word(i) == "{") open.push_back(i);
+        if (a.word(i) != "}" || open.empty()) continue;
+        ended = open.back();
+        open.pop_back();
+    }
+    return ended;
+}
+
 Around around(std::string_view text, const std::vector<Word>& all, std::uint32_t offset) {
     Around a;
     a.text = text;
@@ -220,6 +234,8 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
         diagnostic.notes.push_back({{place.file, offset, offset + 1}, "this '{' is never closed"});
     } else if (a.word(a.at) == "}" && a.depth <= 0) {
         diagnostic.help = "there are more '}' than '{'";
+        if (const std::size_t block = last_block(a); block < a.all.size())
+            diagnostic.notes.push_back({a.span(place.file, block), "the '}' before this one ends the block from here"});
     }
 }
 

@@ -45,6 +45,11 @@ export function isEdited({ state, kept, ends }: Document): boolean {
     return !state.doc.eq(kept.doc) || (now !== kept.ends && now.some((end, i) => end !== kept.ends[i]));
 }
 
+// What is kept of the one becomes that of the other.
+export function keepAs(document: Document, { kept, ends, state }: Document): void {
+    document.kept = { ...kept, ends: state.field(ends) };
+}
+
 export function keep(document: Document): void {
     document.kept = { bytes: bytesOf(document), doc: document.state.doc, ends: document.state.field(document.ends) };
 }

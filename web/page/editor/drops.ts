@@ -1,4 +1,5 @@
 // Files that were dropped or chosen: folders with all that they contain, archives, and single files.
+import { Folder as LiveFolder } from './folder.ts';
 import { Budget, TooMuch } from './limits.ts';
 import { isJunk, Names } from './names.ts';
 import { BadArchive, unzip, type Unpacked } from './unzip.ts';
@@ -13,14 +14,16 @@ declare global {
     }
 }
 
-interface Found {
+export interface Found {
     path: string;
     file: File;
+    // Of folders that can be read again.
+    handle?: FileSystemFileHandle;
 }
 
 // A folder by one of the two interfaces that browsers have: in a page from a disk, Chromium's older one fails.
 type Folder = FileSystemDirectoryEntry | FileSystemDirectoryHandle;
-type Child = { name: string; folder: Folder } | { name: string; file: () => Promise<File> };
+type Child = { name: string; folder: Folder } | { name: string; file: () => Promise<File>; handle?: FileSystemFileHandle };
 
 function readBatch(reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> {
     return new Promise((resolve, reject) => reader.readEntries(resolve, reject));
@@ -42,24 +45,24 @@ async function* childrenOf(folder: Folder): AsyncGenerator<Child> {
     for await (const handle of folder.values())
         yield handle.kind === 'directory'
             ? { name: handle.name, folder: handle as FileSystemDirectoryHandle }
-            : { name: handle.name, file: () => (handle as FileSystemFileHandle).getFile() };
+            : { name: handle.name, file: () => (handle as FileSystemFileHandle).getFile(), handle: handle as FileSystemFileHandle };
 }
 
 // A folder of a million files ends at the budget, before any of them is read.
-async function collect(folder: Folder, path: string, budget: Budget, out: Found[]): Promise<void> {
+export async function collect(folder: Folder, path: string, budget: Budget, out: Found[]): Promise<void> {
     for await (const child of childrenOf(folder)) {
         if (isJunk(child.name)) continue;
-        const inner = `${path}/${child.name}`;
+        const inner = (path === '' ? child.name : `${path}/${child.name}`).normalize('NFC');
         if ('folder' in child) {
             await collect(child.folder, inner, budget, out);
         } else {
             budget.file();
-            out.push({ path: inner, file: await child.file() });
+            out.push({ path: inner, file: await child.file(), handle: child.handle });
         }
     }
 }
 
-async function readFiles(found: readonly Found[], budget: Budget): Promise<Unpacked> {
+export async function readFiles(found: readonly Found[], budget: Budget): Promise<Unpacked> {
     const files = new Map<string, Uint8Array>();
     const messages: string[] = [];
     const names = new Names();
@@ -118,18 +121,31 @@ export function readDrop(data: DataTransfer): Promise<Unpacked> {
     return explained(async () => {
         const budget = new Budget();
         const found: Found[] = [];
+        const handle = items.length === 1 && (await items[0].handle?.catch(() => null));
+        if (handle) return new LiveFolder(handle as FileSystemDirectoryHandle).read();
         for (const item of items) await collectItem(item, budget, found);
         return unpack(found);
     });
 }
 
-export function readChosen(files: FileList): Promise<Unpacked> {
+export function readChosen(files: Iterable<File>): Promise<Unpacked> {
     const found = [...files].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
     return explained(async () => {
         const budget = new Budget();
         found.forEach(() => budget.file());
         return unpack(found);
     });
+}
+
+export function readFolder(handle: FileSystemDirectoryHandle): Promise<Unpacked> {
+    return explained(() => new LiveFolder(handle).read());
+}
+
+// The browser's dialog for a folder that stays open, where it has one. `startIn`: it begins at this file.
+export async function chooseFolder(startIn?: FileSystemHandle): Promise<Unpacked | undefined> {
+    if (!window.showDirectoryPicker) return chooseFiles(true);
+    const handle = await window.showDirectoryPicker({ id: 'snell', mode: 'read', startIn }).catch(() => undefined);
+    return handle && readFolder(handle);
 }
 
 // The browser's dialog for files, or for a folder.

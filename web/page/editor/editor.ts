@@ -2,9 +2,12 @@
 import { redo, undo } from '@codemirror/commands';
 import { openSearchPanel } from '@codemirror/search';
 import { EditorView } from '@codemirror/view';
-import { button } from '../dom.ts';
+import { makeDialog } from '../dialog.ts';
+import { button, el } from '../dom.ts';
 import { bytesOf } from './documents.ts';
+import { Drafts } from './drafts.ts';
 import type { Editor, EditorHost } from './host.ts';
+import { Living } from './living.ts';
 import { makeOpening } from './opening.ts';
 import { saveBytes, saveZip } from './pack.ts';
 import { makeProblemList } from './problems.ts';
@@ -12,7 +15,7 @@ import { Session } from './session.ts';
 import { makeTabs } from './tabs.ts';
 
 const help =
-    'Ctrl Space completes, Ctrl F searches, F8 goes to the next problem, Ctrl Z undoes, Ctrl S downloads. To leave the text by keyboard, press Esc and then Tab.';
+    'Ctrl Space completes, Ctrl F searches, F8 goes to the next problem, Ctrl Z undoes, Ctrl S saves or downloads. To leave the text by keyboard, press Esc and then Tab.';
 
 function block(className: string): HTMLElement {
     const element = document.createElement('div');
@@ -50,20 +53,6 @@ function keepCaret(panel: HTMLElement, view: EditorView): void {
     observer.observe(panel);
 }
 
-// The same element is on the page while there is no scene.
-function makeOpenDialog(welcome: HTMLElement): { dialog: HTMLDialogElement; open(): void } {
-    const dialog = document.createElement('dialog');
-    dialog.className = 'editor-dialog';
-    dialog.setAttribute('aria-label', 'Open a scene');
-    dialog.addEventListener('keydown', (event) => event.stopPropagation());
-    const close = button('Close', () => dialog.close());
-    const open = () => {
-        dialog.replaceChildren(welcome, close);
-        dialog.showModal();
-    };
-    return { dialog, open };
-}
-
 function downloads(host: EditorHost, session: Session) {
     const all = () => {
         const files = session.files();
@@ -93,7 +82,9 @@ export function makeEditor(host: EditorHost): Editor {
     const session = new Session(host, view, () => {
         tabs.show(session.tabs(), session.current?.name ?? '');
         list.show(session.problems);
-    });
+    }, () => drafts.changed());
+    const drafts = new Drafts(host, session);
+    const living = new Living(host, session);
     const save = downloads(host, session);
     const opening = makeOpening({
         host,
@@ -102,7 +93,13 @@ export function makeEditor(host: EditorHost): Editor {
         download: save.all,
         add: (files) => session.add(files),
     });
-    const { dialog, open } = makeOpenDialog(opening.welcome);
+    const dialog = makeDialog('Open a scene');
+    dialog.className = 'editor-dialog';
+    const open = () => {
+        // The same element is on the page while there is no scene.
+        dialog.replaceChildren(opening.welcome, button('Close', () => dialog.close()));
+        dialog.showModal();
+    };
     const bar = block('editor-buttons');
     bar.append(
         button('Open…', open),
@@ -112,19 +109,19 @@ export function makeEditor(host: EditorHost): Editor {
         button('Redo', () => redo(view)),
         button('Find', () => openSearchPanel(view)),
     );
-    const hint = document.createElement('p');
-    hint.className = 'editor-fine-print';
-    hint.textContent = help;
-    element.append(bar, tabs.element, panel, list.element, hint, dialog);
+    const hint = el('details', { class: 'editor-fine-print' }, el('summary', {}, 'Keys'), help);
+    const head = el('div', { class: 'editor-head' }, tabs.element, bar);
+    element.append(head, panel, list.element, hint, dialog);
     // Captured, because keys do not leave the text field.
     const saveKey = (event: KeyboardEvent) => {
         if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key !== 's') return;
         event.preventDefault();
-        save.all();
+        if (host.folder) void living.save();
+        else save.all();
     };
     element.addEventListener('keydown', saveKey, { capture: true });
     element.addEventListener('focusin', () => session.warm(), { once: true });
-    window.addEventListener('beforeunload', (event) => session.edited().length > 0 && event.preventDefault());
+    window.addEventListener('beforeunload', (event) => session.edited().length > 0 && !drafts.safe && event.preventDefault());
 
     return {
         element,
@@ -134,7 +131,12 @@ export function makeEditor(host: EditorHost): Editor {
         opened: () => {
             dialog.close();
             session.open();
+            living.opened();
+            void drafts.opened();
         },
         download: save.all,
+        save: () => void living.save(),
+        scenes: opening.scenes,
+        openKept: opening.openKept,
     };
 }

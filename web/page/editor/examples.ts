@@ -1,16 +1,25 @@
 // The scenes that the page has with it (examples.mjs).
+import blankScene from '../../../templates/blank/blank.glib';
+import blankFragment from '../../../templates/blank/ball.frag';
+import blankVertex from '../../../templates/blank/ball.vert';
 import { unpack } from '../archive.ts';
 
 export interface Example {
     scene: string;
     subject: string;
     files: string[];
+    // A place to start from, as `snell new` has it.
+    template: boolean;
+    // The name of a small picture among the files of the page.
+    picture?: string;
 }
 
 export interface Examples {
     list: Example[];
     // The files of one example, and nothing else.
     open(example: Example): Map<string, Uint8Array>;
+    // Its address; '' if there is none.
+    picture(example: Example): string;
 }
 
 // Undefined: the page has none.
@@ -25,60 +34,15 @@ export async function readExamples(): Promise<Examples | undefined> {
             const bytes = files.get(name);
             return bytes ? [[name, bytes.slice()] as const] : [];
         }));
-    return { list, open };
+    const picture = (example: Example) => {
+        const bytes = files.get(example.picture ?? '');
+        return bytes ? URL.createObjectURL(new Blob([bytes.slice()])) : '';
+    };
+    return { list, open, picture };
 }
-
-const scene = `##OpenGL GLIB
-# A ball. Drag the sliders, or edit this text: the picture follows.
-
-Perspective 50
-LookAt 2 1.5 3  0 0 0  0 1 0
-
-Vertex scene.vert
-Fragment scene.frag
-Program Ball  uColor {.9 .5 .1}  uShine <1. 20. 100.>
-Sphere 1
-`;
-
-const vertex = `#version 330 compatibility
-
-out vec3 vNormal;
-out vec3 vPosition;
-
-void main() {
-    vNormal = gl_NormalMatrix * gl_Normal;
-    vPosition = vec3(gl_ModelViewMatrix * gl_Vertex);
-    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
-}
-`;
-
-const fragment = `#version 330 compatibility
-
-uniform vec3 uColor;
-uniform float uShine;
-
-in vec3 vNormal;
-in vec3 vPosition;
-
-const vec3 light = normalize(vec3(.5, .8, 1.));
-
-void main() {
-    vec3 normal = normalize(vNormal);
-    vec3 halfway = normalize(light - normalize(vPosition));
-    float diffuse = max(dot(normal, light), 0.);
-    float shine = pow(max(dot(normal, halfway), 0.), uShine);
-    gl_FragColor = vec4(uColor * (.2 + .8 * diffuse) + .5 * shine, 1.);
-}
-`;
 
 export function newScene(): { scene: string; files: Map<string, Uint8Array> } {
-    const bytes = (text: string) => new TextEncoder().encode(text);
-    return {
-        scene: 'scene.glib',
-        files: new Map([
-            ['scene.glib', bytes(scene)],
-            ['scene.vert', bytes(vertex)],
-            ['scene.frag', bytes(fragment)],
-        ]),
-    };
+    const files = { 'scene.glib': blankScene, 'ball.vert': blankVertex, 'ball.frag': blankFragment };
+    const bytes = Object.entries(files).map(([name, text]) => [name, new TextEncoder().encode(text)] as const);
+    return { scene: 'scene.glib', files: new Map(bytes) };
 }

@@ -3,32 +3,14 @@ import { completeAnyWord, type Completion, type CompletionContext, type Completi
 import { indentService, StreamLanguage, type StreamParser } from '@codemirror/language';
 import { countColumn } from '@codemirror/state';
 import { variables } from './words.ts';
+import words from './words.json';
 
-const list = (text: string) => text.trim().split(/\s+/);
+// Highlighted, and not offered.
+const legacy = /^(texture|shadow)[123]D|^noise\d|^image|^atomic|Stream/;
 
-const keywords = new Set(
-    list(`attribute break case centroid const continue default discard do else flat for highp if in inout invariant
-        layout lowp mediump noperspective out patch precise precision return sample smooth struct subroutine switch
-        uniform varying void while buffer shared`),
-);
-
-const types = new Set([
-    ...list('bool int uint float double'),
-    ...['', 'b', 'i', 'u', 'd'].flatMap((kind) => [2, 3, 4].map((n) => `${kind}vec${n}`)),
-    ...[2, 3, 4].flatMap((n) => [`mat${n}`, `mat${n}x2`, `mat${n}x3`, `mat${n}x4`]),
-    ...['', 'i', 'u'].flatMap((kind) =>
-        list('1D 2D 3D Cube 1DArray 2DArray Buffer 2DRect 2DMS').map((shape) => `${kind}sampler${shape}`),
-    ),
-    ...list('sampler1DShadow sampler2DShadow samplerCubeShadow sampler2DArrayShadow'),
-]);
-
-const functions = list(`abs acos acosh all any asin asinh atan atanh ceil clamp cos cosh cross dFdx dFdy degrees
-    determinant distance dot equal exp exp2 faceforward floor fract fwidth greaterThan greaterThanEqual inverse
-    inversesqrt isinf isnan length lessThan lessThanEqual log log2 max min mix mod modf normalize not notEqual
-    outerProduct pow radians reflect refract round roundEven sign sin sinh smoothstep sqrt step tan tanh texelFetch
-    texture texture1D texture2D texture3D textureCube textureGrad textureLod textureProj textureSize transpose trunc
-    ftransform EmitVertex EndPrimitive`);
-const functionNames = new Set(functions);
+const [keywords, types] = [new Set(words.keywords), new Set(words.types)];
+const functions = words.functions.filter((name) => !legacy.test(name));
+const functionNames = new Set(words.functions);
 const given = new Set(variables.map(({ name }) => name.replace(/\[.*/, '')));
 
 interface State {

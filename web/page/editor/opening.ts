@@ -1,9 +1,11 @@
 // Opens scenes from outside, and adds files to the scene that is open.
 import type { Problem } from '../engine.ts';
-import { ask } from './dialog.ts';
-import { chooseFiles, listenForDrops } from './drops.ts';
-import { newScene } from './examples.ts';
-import type { EditorHost } from './host.ts';
+import { ask } from '../dialog.ts';
+import { el } from '../dom.ts';
+import { all, type KeptFolder } from '../store.ts';
+import { isScene } from './code.ts';
+import { chooseFiles, chooseFolder, listenForDrops, readChosen, readFolder } from './drops.ts';
+import type { EditorHost, Files } from './host.ts';
 import { cannotAdd, plan } from './intake.ts';
 import { baseOf } from './names.ts';
 import type { Unpacked } from './unzip.ts';
@@ -20,12 +22,23 @@ export interface Author {
 
 export interface Opening {
     welcome: HTMLElement;
-    openFiles(): void;
-    openFolder(): void;
-    newScene(): void;
+    // Lists the scenes of the files that are open.
+    scenes(): void;
+    // A folder of an earlier visit.
+    openKept(folder: KeptFolder): void;
+}
+
+// Not in every browser: files that the desktop opens with the installed page.
+declare global {
+    interface Window {
+        launchQueue?: { setConsumer(take: (launch: { files: FileSystemHandle[] }) => void): void };
+    }
 }
 
 const mostMessages = 5;
+// Scenes of which there are pictures, and milliseconds after which there are no more.
+const mostPictures = 60;
+const longest = 20_000;
 
 function sayAll(host: EditorHost, messages: readonly string[]): void {
     const rest = messages.length - mostMessages;
@@ -46,8 +59,8 @@ async function leave(author: Author, names: readonly string[]): Promise<boolean>
     return answer !== undefined;
 }
 
-async function open(author: Author, scene: string, files: Map<string, Uint8Array>): Promise<void> {
-    if (await leave(author, [...author.host.files.keys()])) author.host.openScene(scene, files);
+async function open(author: Author, scene: string, { files, folder }: Omit<Unpacked, 'messages'>): Promise<void> {
+    if (await leave(author, [...author.host.files.keys()])) author.host.openScene(scene, files, folder);
 }
 
 async function add(author: Author, files: Map<string, Uint8Array>): Promise<void> {
@@ -59,10 +72,30 @@ async function add(author: Author, files: Map<string, Uint8Array>): Promise<void
     host.say(`Taken into the scene: ${[...files.keys()].map(baseOf).join(', ')}.`);
 }
 
-async function openOneOf(author: Author, scenes: readonly string[], files: Map<string, Uint8Array>): Promise<void> {
+// A list of scenes, whose pictures come one after the other.
+async function choose(host: EditorHost, scenes: readonly string[], files: Files): Promise<string | undefined> {
+    const places = scenes.map(() => el('span', { class: 'thumb' }));
+    const choices = scenes.map((name, i) => ({ text: name, value: name, picture: places[i] }));
+    const answer = ask('Several scenes', `There are ${scenes.length} scenes. Choose one.`, choices);
+    let chosen = false;
+    void answer.then(() => (chosen = true));
+    const pictures = host.pictures(files);
+    const begun = performance.now();
+    for (const [i, scene] of scenes.slice(0, mostPictures).entries()) {
+        await new Promise((resolve) => setTimeout(resolve, 30));
+        if (chosen || performance.now() - begun > longest) break;
+        const picture = pictures.of(scene);
+        places[i]!.append(picture);
+        places[i]!.classList.toggle('none', typeof picture === 'string');
+    }
+    pictures.end();
+    return answer;
+}
+
+async function openOneOf(author: Author, scenes: readonly string[], unpacked: Unpacked): Promise<void> {
     const { host } = author;
-    const choices = scenes.map((name) => ({ text: name, value: name }));
-    if (files.size === 1 && baseOf(scenes[0]) === baseOf(host.scene)) {
+    const { files, folder } = unpacked;
+    if (files.size === 1 && !folder && baseOf(scenes[0]) === baseOf(host.scene)) {
         const text = `The scene that is open has the name '${scenes[0]}', too.`;
         const answers = [
             { text: 'Replace its text', value: true },
@@ -72,40 +105,74 @@ async function openOneOf(author: Author, scenes: readonly string[], files: Map<s
         if (replace) return add(author, new Map([[host.scene, files.get(scenes[0])!]]));
         if (replace === undefined) return;
     }
-    const several = `There are ${choices.length} scenes. Choose one.`;
-    const scene = choices.length === 1 ? scenes[0] : await ask('Several scenes', several, choices);
-    if (scene !== undefined) await open(author, scene, files);
+    const scene = scenes.length === 1 ? scenes[0] : await choose(host, scenes, files);
+    if (scene !== undefined) await open(author, scene, unpacked);
 }
 
-async function take(author: Author, { files, messages }: Unpacked): Promise<void> {
+// `wanted`: the scene that is opened if it is there.
+async function take(author: Author, unpacked: Unpacked, wanted = ''): Promise<void> {
     const { host } = author;
-    const what = plan(files, { scene: host.scene, files: host.files, problems: author.problems() });
+    const { files, messages, folder } = unpacked;
+    const live = folder && [...files.keys()].some(isScene);
+    const now = { scene: live ? '' : host.scene, files: host.files, problems: author.problems() };
+    const what = plan(files, now);
     if (what.kind === 'no scene') messages.push('There is no .glib file among these files.');
     if (what.kind === 'nothing' && messages.length === 0) messages.push('There are no files to open.');
     sayAll(host, messages);
     if (what.kind === 'add') await add(author, what.files);
-    else if (what.kind === 'open') await openOneOf(author, what.scenes, what.files);
+    else if (what.kind === 'open' && files.has(wanted)) await open(author, wanted, unpacked);
+    else if (what.kind === 'open') await openOneOf(author, what.scenes, unpacked);
+}
+
+async function openKept(author: Author, { handle, scene }: KeptFolder): Promise<void> {
+    const allowed = (await handle.requestPermission?.({ mode: 'read' })) ?? 'granted';
+    if (allowed !== 'granted') return author.host.say(`The browser was not allowed to read the folder '${handle.name}'.`);
+    await take(author, await readFolder(handle), scene);
+}
+
+// A scene needs its other files: those of a folder that was open before, or of one that the author chooses.
+async function openLaunched(author: Author, file: FileSystemFileHandle): Promise<void> {
+    for (const { handle } of await all('folders')) {
+        const path = await handle.resolve(file).catch(() => null);
+        const wanted = path && [handle.name, ...path].join('/').normalize('NFC');
+        if (wanted && (await handle.queryPermission?.({ mode: 'read' })) === 'granted') return take(author, await readFolder(handle), wanted);
+    }
+    const text = `A scene reads other files of its folder, and a page reads only what you choose: choose the folder of '${file.name}'.`;
+    const folder = await ask('The folder of the scene', text, [
+        { text: 'Choose the folder…', value: true },
+        { text: 'Open this file alone', value: false },
+    ]);
+    if (folder === undefined) return;
+    const chosen = folder ? await chooseFolder(file) : await readChosen([await file.getFile()]);
+    if (!chosen) return;
+    const wanted = [...chosen.files.keys()].filter((name) => baseOf(name) === file.name);
+    await take(author, chosen, wanted.length === 1 ? wanted[0] : '');
 }
 
 export function makeOpening(author: Author): Opening {
+    const { host } = author;
     // One after the other: what is opened last stays, however long an earlier archive takes.
     let turn: Promise<void> = Promise.resolve();
     const inTurn = (work: () => Promise<void>) => (turn = turn.then(work, work));
-    const choose = async (folder: boolean) => {
-        const chosen = await chooseFiles(folder);
-        if (chosen) await inTurn(() => take(author, chosen));
+    const chosen = async (choosing: Promise<Unpacked | undefined>) => {
+        const unpacked = await choosing;
+        if (unpacked) await inTurn(() => take(author, unpacked));
     };
-    const openNew = (scene: string, files: Map<string, Uint8Array>) => void inTurn(() => open(author, scene, files));
-    const begin = () => {
-        const { scene, files } = newScene();
-        openNew(scene, files);
-    };
-    const actions = {
-        openFiles: () => void choose(false),
-        openFolder: () => void choose(true),
-        newScene: begin,
+    const scenes = async () => {
+        const scene = await choose(host, [...host.files.keys()].filter(isScene).sort(), host.files);
+        if (scene !== undefined && scene !== host.scene) await open(author, scene, { files: host.files, folder: host.folder });
     };
     const mark = (held: boolean) => void document.documentElement.classList.toggle('editor-over', held);
     listenForDrops((unpacked) => void inTurn(async () => take(author, await unpacked)), mark);
-    return { ...actions, welcome: makeWelcome({ ...actions, openExample: openNew }) };
+    window.launchQueue?.setConsumer(({ files: [file] }) => {
+        if (file?.kind === 'file') void inTurn(() => openLaunched(author, file as FileSystemFileHandle));
+    });
+    const kept = (folder: KeptFolder) => void inTurn(() => openKept(author, folder));
+    const welcome = makeWelcome({
+        openFiles: () => void chosen(chooseFiles(false)),
+        openFolder: () => void chosen(chooseFolder()),
+        openKept: kept,
+        openExample: (scene, files) => void inTurn(() => open(author, scene, { files })),
+    });
+    return { welcome, scenes: () => void inTurn(scenes), openKept: kept };
 }

@@ -3,8 +3,9 @@ import { setDiagnostics } from '@codemirror/lint';
 import { EditorState, type Extension, type TransactionSpec } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 import type { Place, Problem } from '../engine.ts';
-import { unwritable, type Format } from './bytes.ts';
-import { bytesOf, isEdited, keep, makeDocument, marksOf, movedMarks, textFiles, type Document, type Mark } from './documents.ts';
+import type { Draft } from '../store.ts';
+import { read, same, unwritable, type Format } from './bytes.ts';
+import { bytesOf, isEdited, keep, keepAs, makeDocument, marksOf, movedMarks, textFiles, type Document, type Mark } from './documents.ts';
 import type { Checked, EditorHost, Files } from './host.ts';
 import { resolve } from './names.ts';
 import { rangeOf } from './places.ts';
@@ -33,6 +34,7 @@ export class Session {
         private readonly view: EditorView,
         // Tabs and problems are others now.
         private readonly refresh: () => void,
+        private readonly editsChanged: () => void,
     ) {}
 
     get problems(): readonly Problem[] {
@@ -76,6 +78,21 @@ export class Session {
         }));
     }
 
+    names(): string[] {
+        return [...this.#documents.keys()];
+    }
+
+    // Of a text, as it is in the editor.
+    bytes(name: string): Uint8Array {
+        return bytesOf(this.#documents.get(name)!);
+    }
+
+    // What the edited texts were made of, and what they are.
+    edits(): Draft['texts'] {
+        const edited = [...this.#documents.values()].filter(isEdited);
+        return edited.map((document) => ({ name: document.name, base: document.kept.bytes, bytes: bytesOf(document) }));
+    }
+
     edited(): string[] {
         return [...this.#documents.values()].filter(isEdited).map(({ name }) => name);
     }
@@ -94,6 +111,7 @@ export class Session {
             if (document) keep(document);
         }
         this.refresh();
+        this.editsChanged();
     }
 
     show(problems: readonly Problem[]): void {
@@ -112,6 +130,36 @@ export class Session {
         return true;
     }
 
+    // Its file is another one now, and its edits stay.
+    rebase(name: string, bytes: Uint8Array): void {
+        const document = this.#documents.get(name)!;
+        keepAs(document, makeDocument(name, bytes, () => [], () => []));
+        this.refresh();
+    }
+
+    // Edits that come from elsewhere, such as a draft: an undo takes them back.
+    retext(name: string, bytes: Uint8Array): boolean {
+        const document = this.#documents.get(name);
+        if (!document) return false;
+        const [now, next] = [document.state.doc.toString(), read(bytes).lines.join('\n')];
+        const most = Math.min(now.length, next.length);
+        let from = 0;
+        while (from < most && now[from] === next[from]) ++from;
+        let end = 0;
+        while (end < most - from && now[now.length - 1 - end] === next[next.length - 1 - end]) ++end;
+        this.#dispatch(document, { changes: { from, to: now.length - end, insert: next.slice(from, next.length - end) } });
+        return same(bytesOf(document), bytes);
+    }
+
+    // These files are others on the disk, and their texts no longer edited.
+    replaced(files: Files): void {
+        for (const [name, bytes] of files)
+            if (this.retext(name, bytes)) keep(this.#documents.get(name)!);
+            else this.#added.set(name, bytes);
+        if (this.#added.size > 0) this.add(new Map(this.#added));
+        else this.#edited();
+    }
+
     // Files from outside, which belong to the scene from now on.
     add(files: Files): void {
         const shown = this.#current?.name ?? '';
@@ -126,7 +174,13 @@ export class Session {
 
     // Checks the text as it is, so that the worker has started when it is edited.
     warm(): void {
-        void this.#flush();
+        void this.settled();
+    }
+
+    // The page has all edits.
+    settled(): Promise<void> {
+        clearTimeout(this.#timer);
+        return this.#flush();
     }
 
     #dispatch(document: Document, spec: TransactionSpec): void {
@@ -181,6 +235,7 @@ export class Session {
         clearTimeout(this.#timer);
         this.#timer = setTimeout(() => void this.#flush(), pause);
         this.refresh();
+        this.editsChanged();
     }
 
     // Checks the text, and then lets the page draw it: a text that the worker does not get through must not reach the

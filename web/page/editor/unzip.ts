@@ -1,6 +1,7 @@
 // Reads .zip archives that anyone may have made: sizes are not believed, and names are checked.
 import { Inflate } from 'fflate';
 import { crc32 } from './crc.ts';
+import type { Folder } from './folder.ts';
 import { Budget } from './limits.ts';
 import { Names } from './names.ts';
 
@@ -8,6 +9,8 @@ export interface Unpacked {
     files: Map<string, Uint8Array>;
     // Why files were left out.
     messages: string[];
+    // The folder that they are in, if it can be read again.
+    folder?: Folder;
 }
 
 interface Entry {

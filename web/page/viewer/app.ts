@@ -1,16 +1,20 @@
 // The page: its parts, and how they work together.
 import type { Unpacked } from '../archive.ts';
 import type { WorkerChecker } from '../editor/checker.ts';
+import { isScene } from '../editor/code.ts';
 import { makeEditor } from '../editor/editor.ts';
+import type { Folder } from '../editor/folder.ts';
 import type { Editor, EditorHost } from '../editor/host.ts';
-import { baseOf } from '../editor/names.ts';
+import { baseOf, resolve } from '../editor/names.ts';
 import { saveZip } from '../editor/pack.ts';
 import type { Engine, Opened, Problem } from '../engine.ts';
+import { all, drop, put } from '../store.ts';
 import { Address } from './address.ts';
 import { Clock, makeTimeBar } from './clock.ts';
 import { makeHelp, makePictureDialog } from './dialogs.ts';
 import { makeDivider } from './divider.ts';
-import { el, painted } from '../dom.ts';
+import { ask } from '../dialog.ts';
+import { button, canvasOf, el, painted, stored } from '../dom.ts';
 import { rangeText, readFragment, type Settings } from './fragment.ts';
 import { listen } from './gestures.ts';
 import { listenForKeys } from './keys.ts';
@@ -37,6 +41,24 @@ const longMessageSeconds = 10;
 
 function pageName(scene: string): string {
     return baseOf(scene).replace(/\.glib$/i, '') || 'snell';
+}
+
+const picturesFolder = 'snell-pictures';
+const pictureSize = [160, 120] as const;
+const mostFolders = 8;
+// Of this tab, so that it shows the same folder after it was loaded again.
+const folderKey = 'snell-folder';
+
+// Remembers the folder for other visits.
+async function keepFolder(folder: Folder | undefined, scene: string): Promise<void> {
+    stored(() => sessionStorage.removeItem(folderKey));
+    if (!folder) return;
+    const { handle } = folder;
+    const kept = await all('folders');
+    let id = `${Date.now()} ${Math.random()}`;
+    for (const each of kept) if (await handle.isSameEntry(each.handle).catch(() => false)) id = each.id;
+    for (const each of kept.filter((other) => other.id !== id).slice(mostFolders - 1)) await drop('folders', each.id);
+    if (await put('folders', { id, handle, when: Date.now(), scene })) stored(() => sessionStorage.setItem(folderKey, id));
 }
 
 export class Page {
@@ -67,6 +89,11 @@ export class Page {
     private host: EditorHost | undefined;
     private current: Problem[] = [];
     private lost = false;
+    private dead = false;
+    // The shaders of the text never end, so that it is not drawn: what says so.
+    private endless: Problem | undefined;
+    // What the author wants to be drawn all the same.
+    private risked = '';
     private about: unknown; // of the message that is shown
     private silence: ReturnType<typeof setTimeout> | undefined;
 
@@ -114,9 +141,13 @@ export class Page {
         this.host = {
             files: checker ? files : new Map(),
             scene: data?.scene ?? '',
+            place: `${location.origin}${location.pathname}\n${data?.scene ?? ''}`,
             checker,
-            changed: (changed) => this.edited(changed),
-            openScene: (name, opened) => void this.openScene(name, opened),
+            changed: (changed, gone) => this.edited(changed, gone),
+            openScene: (name, opened, folder) => void this.openScene(name, opened, folder),
+            used: () => this.session.shown?.files.map((name) => resolve('', name)) ?? [],
+            saved: () => engine.saved(),
+            pictures: (some) => this.pictures(some),
             say: (message) => this.say(message),
         };
         this.session = new Session(engine, {
@@ -142,11 +173,12 @@ export class Page {
             engine,
             canvas: this.canvas,
             clock: this.clock,
-            ready: () => this.session.shown !== undefined && !this.lost,
+            ready: () => this.session.shown !== undefined && !this.lost && !this.endless,
             drawn: (milliseconds, divisor) => {
                 const { width, height } = this.painter!.frame();
-                this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${divisor > 1 ? ', coarser while dragging' : ''}`;
+                this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${divisor > 1 ? ', coarser' : ''}`;
             },
+            goesOn: (milliseconds, divisor) => this.goesOn(milliseconds, divisor),
             ticked: () => {
                 this.session.move(this.clock.time);
                 this.timebar.refresh();
@@ -167,6 +199,8 @@ export class Page {
             fullScreen: () => this.fullScreen(),
             copyLink: () => void this.copyLink(),
             picture: () => session.shown && picture.open(),
+            save: () => this.makeEditor()?.save(),
+            scenes: () => this.makeEditor()?.scenes(),
             zip: () => (this.editor ? this.editor.download() : saveZip(this.host!.scene, this.host!.files)),
             textWithValues: () => this.say(saveTexts(this.host!.scene, session.engine.saved())),
             help: () => this.help.open(),
@@ -203,19 +237,90 @@ export class Page {
             fullScreen: () => this.fullScreen(),
             time: () => this.timebar.toggle(),
             help: () => this.help.open(),
+            save: () => {
+                if (this.host?.folder) this.editor?.save();
+                return this.host?.folder !== undefined;
+            },
         });
+        let drawing = false;
         this.canvas.addEventListener('webglcontextlost', (event) => {
             event.preventDefault();
+            drawing = this.painter?.busy ?? false;
             this.lost = true;
-            this.say('The browser took the graphics away. The picture comes back with them.');
+            if (!this.dead) this.say('The browser took the graphics away. The picture comes back with them.', 'graphics');
         });
-        this.canvas.addEventListener('webglcontextrestored', () => {
-            this.lost = false;
-            const opened = engine.restored();
-            session.accept(opened);
-            this.say(opened.ok ? 'The graphics are back.' : 'The graphics are back, but the scene cannot be drawn.');
-            this.painter?.request();
-        });
+        this.canvas.addEventListener('webglcontextrestored', () => void this.restored(drawing));
+    }
+
+    // A picture that took too long is a reason to take the graphics away: it is not drawn again unasked.
+    private async restored(drawing: boolean): Promise<void> {
+        if (this.dead) return this.started();
+        const text = 'The browser took the graphics away while a picture was drawn. Perhaps it took too long.';
+        const choices = [{ text: 'Draw it small', value: true }, { text: 'Do not draw it', value: false }];
+        if (drawing && !(await ask('The graphics are back', text, choices))) return;
+        this.lost = false;
+        const opened = this.session.engine.restored();
+        this.session.accept(opened);
+        this.say(opened.ok ? 'The graphics are back.' : 'The graphics are back, but the scene cannot be drawn.', 'graphics');
+        if (drawing) this.painter?.begin(true);
+        else this.painter?.request();
+    }
+
+    private async goesOn(milliseconds: number, divisor: number): Promise<boolean> {
+        const seconds = (value: number) => `${Math.round(value / 100) / 10} s`;
+        const whole = seconds(milliseconds * divisor * divisor);
+        const text = `A picture of 1/${divisor} of the width and height took ${seconds(milliseconds)}. A whole one may take ${whole}, in which the page does not answer.`;
+        const answer = await ask('This scene takes long', text, [
+            { text: 'Draw it', value: true },
+            { text: 'Keep it small', value: false },
+        ]);
+        return answer ?? false;
+    }
+
+    // The texts can be edited and saved without the program, and the next edit starts it again.
+    crashed(why: string): void {
+        if (this.dead) return;
+        this.dead = this.lost = true;
+        const reason = /memory|alloc|Aborted/i.test(why) ? 'It may have needed more memory than the browser gives.' : why;
+        const text = `The program that draws has ended. ${reason} The texts can still be edited, saved and downloaded.`;
+        this.cover(el('p', { role: 'alert', class: 'failure' }, text), button('Start again', () => void this.startAgain()));
+        setTimeout(() => this.makeEditor());
+    }
+
+    // Graphics that come back have nothing of the program before.
+    private async startAgain(): Promise<void> {
+        const { engine } = this.session;
+        this.progress('Starting…');
+        await engine.restart();
+        const lose = this.canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+        lose?.loseContext();
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        lose?.restoreContext();
+    }
+
+    private async started(): Promise<void> {
+        this.dead = this.lost = false;
+        const error = await this.session.engine.start(this.canvas);
+        if (error !== '') return this.fail(`There is no picture: ${error}`);
+        await this.openFiles(this.host!.scene, this.host!.files);
+        this.editor?.show(this.current);
+    }
+
+    // A text that never ends is drawn only if the author wants that.
+    private guard({ problems }: Opened): boolean {
+        const found = problems.find(({ code, message }) => code === 'many-rounds' && /for ever/.test(message));
+        this.endless = found && found.text !== this.risked ? found : undefined;
+        if (!this.endless) return problems.some(({ code }) => code === 'many-rounds');
+        const where = this.endless.at ? `${this.endless.at.file}:${this.endless.at.line}: ` : '';
+        const risk = () => {
+            this.risked = this.endless?.text ?? '';
+            this.endless = undefined;
+            this.cover();
+            this.painter?.begin(true);
+        };
+        const text = `${where}${this.endless.message}. A picture of it could stop this page.`;
+        this.cover(el('p', { role: 'alert', class: 'failure' }, text), button('Draw it all the same', risk));
+        return true;
     }
 
     private pointed(x: number, y: number): void {
@@ -243,7 +348,7 @@ export class Page {
 
     // What differs from the scene, for the address. Undefined: there is no scene, or one that a link cannot lead to.
     private settings(): Settings | undefined {
-        if (!this.session.shown || this.host?.scene !== this.contents?.data?.scene) return undefined;
+        if (this.lost || !this.session.shown || this.host?.scene !== this.contents?.data?.scene) return undefined;
         const { engine, shown } = this.session;
         const time = shown.animated && !this.clock.playing && this.clock.time > 0 ? this.clock.time : undefined;
         return { values: engine.values(), rungs: engine.rungs(), ranges: this.session.ranges(), view: engine.view(), time, split: this.painter?.split };
@@ -280,12 +385,13 @@ export class Page {
         session.accept(opened);
         if (!opened.shown) return this.failOpening(opened);
         this.cover();
+        const risky = this.guard(opened);
         const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
         clock.time = time ?? 0;
         clock.playing = opened.shown.animated && time === undefined && !still;
         this.openTime();
         this.divider.set(session.ladders.length > 0 ? split : undefined);
-        this.painter?.begin();
+        this.painter?.begin(risky);
     }
 
     // Time runs for sliders that move by themselves, too.
@@ -323,22 +429,46 @@ export class Page {
         this.refreshTitle();
     }
 
-    private async openScene(scene: string, files: Map<string, Uint8Array>): Promise<void> {
+    private async openScene(scene: string, files: Map<string, Uint8Array>, folder?: Folder): Promise<void> {
         const host = this.host!;
         for (const name of host.files.keys()) this.session.engine.remove(name);
-        Object.assign(host, { scene, files });
+        const place = `${folder ? 'folder' : 'files'}\n${scene}`;
+        Object.assign(host, { scene, files: new Map(files), folder, place });
+        void keepFolder(folder, scene);
         delete this.layout.app.dataset.scene;
         this.session.forget();
         this.layout.link.hidden = true;
+        this.layout.app.dataset.folder = String(folder !== undefined);
+        this.layout.app.dataset.scenes = String([...files.keys()].filter(isScene).length > 1);
         if (location.hash !== '') history.replaceState(null, '', location.href.replace(/#.*$/, ''));
         await this.openFiles(scene, files);
         this.makeEditor()?.opened();
         this.editor?.show(this.current);
     }
 
-    private edited(files: ReadonlyMap<string, Uint8Array>): void {
+    // Small pictures are drawn of copies of the files, next to those of the scene that is shown.
+    private pictures(files: ReadonlyMap<string, Uint8Array>): ReturnType<EditorHost['pictures']> {
+        const { engine } = this.session;
+        const apart = (name: string) => `${picturesFolder}/${name}`;
+        for (const [name, bytes] of files) engine.write(apart(name), bytes);
+        const of = (scene: string) => {
+            const pixels = engine.preview(apart(scene), ...pictureSize);
+            return typeof pixels === 'string' ? pixels : canvasOf(pixels, ...pictureSize);
+        };
+        return { of, end: () => [...files.keys()].forEach((name) => engine.remove(apart(name))) };
+    }
+
+    private edited(files: ReadonlyMap<string, Uint8Array>, gone: readonly string[] = []): void {
         const host = this.host!;
         const { engine } = this.session;
+        if (this.dead) {
+            for (const [name, bytes] of files) host.files.set(name, bytes);
+            return void this.startAgain();
+        }
+        for (const name of gone) {
+            host.files.delete(name);
+            engine.remove(name);
+        }
         for (const [name, bytes] of files) {
             host.files.set(name, bytes);
             engine.write(name, bytes);
@@ -347,7 +477,8 @@ export class Page {
         const opened = engine.open(host.scene, { lints: true });
         this.session.accept(opened);
         if (!opened.shown) return this.failOpening(opened);
-        if (!before) this.cover();
+        if (!before || !this.layout.cover.hidden) this.cover();
+        this.guard(opened);
         if (!before || before.animated !== opened.shown.animated) this.clock.playing = opened.shown.animated;
         this.openTime();
         this.refresh();
@@ -364,6 +495,14 @@ export class Page {
         if (editor) this.cover(editor.welcome);
         this.layout.app.dataset.scene = 'none';
         this.refreshTitle();
+        void this.again();
+    }
+
+    // After a reload, the folder that was open is open again.
+    private async again(): Promise<void> {
+        const id = stored(() => sessionStorage.getItem(folderKey));
+        const kept = id ? (await all('folders')).find((each) => each.id === id) : undefined;
+        if (kept && (await kept.handle.queryPermission?.({ mode: 'read' })) === 'granted') this.editor?.openKept(kept);
     }
 
     // Made when it is needed, or after the first picture.
@@ -383,6 +522,7 @@ export class Page {
     }
 
     private refresh(): void {
+        this.say('', 'graphics');
         this.panel?.refresh();
         this.divider.refresh(this.session.ladders);
         this.tools?.refresh();

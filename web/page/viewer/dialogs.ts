@@ -1,17 +1,8 @@
 // The dialogs: a picture as PNG, and the help.
 import type { Engine, Frame } from '../engine.ts';
-import { button, download, el } from '../dom.ts';
+import { makeDialog, showFromTop } from '../dialog.ts';
+import { button, canvasOf, download, el } from '../dom.ts';
 import { evaluated } from './numbers.ts';
-
-export function makeDialog(title: string, ...children: Node[]): HTMLDialogElement {
-    const heading = el('h2', {}, title);
-    // The dialog itself has the focus at first, so that it begins at its top.
-    const dialog = el('dialog', { 'aria-label': title, autofocus: true, tabindex: -1 }, heading, ...children);
-    // Keys do not reach the page below.
-    dialog.addEventListener('keydown', (event) => event.stopPropagation());
-    dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
-    return dialog;
-}
 
 export const limits = { side: 8192, pixels: 32_000_000, samples: 64 };
 
@@ -25,10 +16,7 @@ export function sizeProblem(width: number, height: number, samples: number): str
 }
 
 async function save(pixels: Uint8ClampedArray, width: number, height: number, name: string): Promise<string> {
-    const canvas = el('canvas', { width, height });
-    const context = canvas.getContext('2d');
-    if (!context) return 'The browser gives no canvas of this size.';
-    context.putImageData(new ImageData(new Uint8ClampedArray(pixels), width, height), 0, 0);
+    const canvas = canvasOf(pixels, width, height);
     const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
     if (!blob) return 'The browser cannot write a picture of this size.';
     download(name, blob);
@@ -113,5 +101,5 @@ export function makeHelp(): { element: HTMLDialogElement; open(): void } {
     ];
     const close = button('Close', () => element.close());
     const element = makeDialog('Help', ...about.map((text) => el('p', {}, text)), el('table', {}, el('tbody', {}, ...rows)), close);
-    return { element, open: () => element.showModal() };
+    return { element, open: () => showFromTop(element) };
 }

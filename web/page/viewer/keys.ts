@@ -8,6 +8,8 @@ export interface Keys {
     fullScreen(): void;
     time(): void;
     help(): void;
+    // False: there is nothing to save.
+    save(): boolean;
 }
 
 // Buttons, check boxes and the like use the space bar for themselves.
@@ -23,7 +25,7 @@ export function listenForKeys(keys: Keys): void {
         if (command && !event.altKey) {
             if (key === 'z') event.shiftKey ? keys.redo() : keys.undo();
             else if (key === 'y') keys.redo();
-            else return;
+            else if (key !== 's' || !keys.save()) return;
         } else if (command || event.altKey) {
             return;
         } else if (key === 'r') keys.resetView();

@@ -1,5 +1,5 @@
 // The page's parts, without what they do.
-import { el } from '../dom.ts';
+import { el, stored } from '../dom.ts';
 
 export interface Layout {
     app: HTMLElement;
@@ -77,6 +77,52 @@ function makeTabs(panels: Record<TabName, HTMLElement>, app: HTMLElement, chosen
     return { element, choose };
 }
 
+// What divides picture and text: by the pointer, or by the arrow keys. Its place stays for other visits.
+function makeGrip(app: HTMLElement): HTMLElement {
+    const key = 'snell-share';
+    const beside = matchMedia('(min-width: 100rem)');
+    const grip = el('div', { class: 'grip', role: 'separator', tabindex: 0, 'aria-label': 'Divider between picture and text', 'aria-valuemin': 10, 'aria-valuenow': 42, 'aria-valuemax': 90 });
+    const set = (share: number) => {
+        const fits = Math.round(Math.min(Math.max(share, 10), 90) * 10) / 10;
+        app.style.setProperty('--share', beside.matches ? `${fits * 0.8}%` : `${fits}%`);
+        grip.setAttribute('aria-valuenow', String(fits));
+        return fits;
+    };
+    const keep = (share: number) => stored((store) => store.setItem(key, String(set(share))));
+    const turn = () => void (grip.ariaOrientation = beside.matches ? 'vertical' : 'horizontal');
+    const now = () => Number(grip.getAttribute('aria-valuenow') ?? 42);
+    grip.addEventListener('pointerdown', (event) => grip.setPointerCapture(event.pointerId));
+    grip.addEventListener('pointermove', (event) => {
+        if (!grip.hasPointerCapture(event.pointerId)) return;
+        const { left, top, width, height } = app.getBoundingClientRect();
+        keep(beside.matches ? (125 * (event.clientX - left)) / width : (100 * (event.clientY - top)) / height);
+    });
+    grip.addEventListener('keydown', ({ key }) => {
+        const step = { ArrowUp: -2, ArrowLeft: -2, ArrowDown: 2, ArrowRight: 2 }[key];
+        if (step) keep(now() + step);
+    });
+    beside.addEventListener('change', turn);
+    turn();
+    const before = Number(stored((store) => store.getItem(key)));
+    if (before > 0) set(before);
+    return grip;
+}
+
+// Pages of a gallery know the others (src/app/page/gallery.cpp).
+declare global {
+    // eslint-disable-next-line no-var
+    var snellGallery: [page: string, title: string][] | undefined;
+}
+
+function galleryLinks(): HTMLElement[] {
+    const pages = globalThis.snellGallery ?? [];
+    const own = decodeURIComponent(location.pathname.replace(/^.*\//, ''));
+    const at = pages.findIndex(([page]) => page === own);
+    if (at < 0) return [];
+    const link = (text: string, to: [string, string] | undefined) => (to ? [el('a', { href: encodeURIComponent(to[0]), title: to[1] }, text)] : []);
+    return [el('nav', { class: 'gallery', 'aria-label': 'Gallery' }, el('a', { href: 'index.html' }, 'All scenes'), ...link('‹ Previous', pages[at - 1]), ...link('Next ›', pages[at + 1]))];
+}
+
 export function makeLayout(chosen: (name: TabName) => void): Layout {
     const canvas = el('canvas', { tabindex: 0, role: 'application', 'aria-label': 'Picture' });
     const cover = el('div', { class: 'cover' });
@@ -93,7 +139,8 @@ export function makeLayout(chosen: (name: TabName) => void): Layout {
     };
     const app = el('main', { class: 'app' });
     const tabs = makeTabs(panels, app, chosen);
-    const side = el('section', { class: 'panels', 'aria-label': 'Scene' }, title, tools, tabs.element, panels.controls);
+    panels.text.append(makeGrip(app));
+    const side = el('section', { class: 'panels', 'aria-label': 'Scene' }, ...galleryLinks(), title, tools, tabs.element, panels.controls);
     app.append(stage, side, panels.text);
     return { app, canvas, picture, stage, cover, status, message, title, link, tools, ...panels, chooseTab: tabs.choose };
 }

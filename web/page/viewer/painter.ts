@@ -13,11 +13,17 @@ export interface PainterOptions {
     drawn(milliseconds: number, divisor: number): void;
     // The clock moved.
     ticked(): void;
+    // A small picture took so long that whole ones would stop the page: whether they are drawn all the same.
+    // `divisor`: of width and height.
+    goesOn(milliseconds: number, divisor: number): Promise<boolean>;
 }
 
 const longestSide = 8192;
-// The first picture of a scene has so much less width and height.
+// The first picture of a scene has so much less width and height, and that of one whose loops may go on and on.
 const preview = 4;
+const smallest = 16;
+// Milliseconds of such a picture after which the author is asked.
+const tooLong = 2000;
 // Milliseconds after which a picture counts as finished, because a lost context never says so.
 const longestWait = 5000;
 // Milliseconds without a picture before the engine makes later ones faster.
@@ -32,8 +38,13 @@ export class Painter {
     private size: [number, number] = [0, 0];
     private readonly coarse = new Coarseness();
     private divisor = 1;
-    // The next picture is the first one of a scene.
-    private first = true;
+    // The next picture is the first one of a scene, with this divisor; 0: it is not.
+    private first = preview;
+    // No picture has more pixels.
+    private least = 1;
+    private waits = false;
+    // The same first picture is drawn a second time.
+    private again = false;
     // What is being drawn.
     private drawing: 'first' | 'drag' | 'sharp' = 'sharp';
     private began: number | undefined;
@@ -78,10 +89,17 @@ export class Painter {
         return { time: this.with_.clock.time, width, height, split: this.split, mouse: this.mouse };
     }
 
-    // The next picture is that of another scene. Nobody knows how long it takes, so a small one comes first.
-    begin(): void {
-        this.first = true;
+    // The next picture is that of another scene. Nobody knows how long it takes, so a small one comes first; `risky`: a
+    // very small one.
+    begin(risky = false): void {
+        this.first = risky ? smallest : preview;
+        this.least = 1;
         this.request();
+    }
+
+    // Whether the graphics have something to do.
+    get busy(): boolean {
+        return this.began !== undefined;
     }
 
     request(drag = false): void {
@@ -102,6 +120,7 @@ export class Painter {
 
     private tick(now: number): void {
         const { clock, ready, ticked } = this.with_;
+        if (this.waits) return;
         if (!ready() || this.size[0] <= 1) {
             this.began = undefined;
             this.fence = null;
@@ -128,9 +147,33 @@ export class Painter {
         this.began = undefined;
         const now = performance.now();
         if (this.drawing === 'drag') this.coarse.took(milliseconds, now);
-        if (this.divisor > 1) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
+        if (this.drawing === 'first' && this.slow(milliseconds)) return false;
+        if (this.divisor > this.least) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
         if (this.drawing === 'first') performance.mark('First picture');
         else this.with_.drawn(milliseconds, this.divisor);
+        return true;
+    }
+
+    // After a first picture: what comes next. True: it waits for an answer.
+    private slow(milliseconds: number): boolean {
+        const { divisor, again } = this;
+        this.again = false;
+        if (divisor === smallest && milliseconds < tooLong) this.first = preview;
+        if (milliseconds < tooLong) return false;
+        // The first picture of all waits for the compiler, too: the same one again does not.
+        if (!again && milliseconds < longestWait) {
+            this.again = true;
+            this.first = divisor;
+            this.request();
+            return true;
+        }
+        this.waits = true;
+        void this.with_.goesOn(milliseconds, divisor).then((goes) => {
+            this.waits = false;
+            this.least = goes ? 1 : divisor;
+            this.with_.drawn(milliseconds, divisor);
+            if (goes) this.request();
+        });
         return true;
     }
 
@@ -138,9 +181,10 @@ export class Painter {
         clearTimeout(this.settling);
         clearTimeout(this.sharp);
         const now = performance.now();
-        this.divisor = this.first ? preview : this.coarse.next(this.dragged, now);
+        this.divisor = Math.max(this.first || this.coarse.next(this.dragged, now), this.least);
         this.drawing = this.first ? 'first' : this.dragged ? 'drag' : 'sharp';
-        this.first = this.dirty = this.dragged = false;
+        this.first = 0;
+        this.dirty = this.dragged = false;
         const frame = this.frame();
         frame.width = Math.max(Math.round(frame.width / this.divisor), 1);
         frame.height = Math.max(Math.round(frame.height / this.divisor), 1);

@@ -1,7 +1,7 @@
 // Loads what the page has with it, and shows it.
 import { bakedEngine } from '../baked.ts';
 import { makeChecker, pageWorker, type WorkerChecker } from '../editor/checker.ts';
-import type { Engine } from '../engine.ts';
+import { Crash, guarded, type Engine } from '../engine.ts';
 import { loadEngine, prepareCanvas } from '../load_engine.ts';
 import { Page } from './app.ts';
 import { el } from '../dom.ts';
@@ -19,9 +19,20 @@ interface Program {
     checker: WorkerChecker | undefined;
 }
 
+// The served form of the page is kept for times without a network.
+function stay(): void {
+    if (document.querySelector('link[rel=manifest]')) void navigator.serviceWorker?.register('service.js').catch(() => undefined);
+}
+
+// The server, or what is around the page, may forbid more than the page itself does.
+let forbidden = '';
+document.addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, originalPolicy }) => {
+    forbidden ||= ` The policy of this page's server forbids it (${effectiveDirective}, ${blockedURI}): '${originalPolicy}'.`;
+});
+
 async function loadProgram(page: Page, source: string): Promise<Program> {
     const runtime = await readRuntime();
-    const engine = await loadEngine(runtime);
+    const engine = guarded(await loadEngine(runtime), (why) => page.crashed(why));
     return { engine, checker: makeChecker({ spawn: pageWorker(source, runtime), say: (message) => page.say(message) }) };
 }
 
@@ -41,9 +52,12 @@ export async function start(source: string): Promise<void> {
     const page = new Page();
     // The data blocks stay: the editor's examples are read later.
     document.querySelector('main')!.replaceWith(page.element);
+    stay();
     try {
         await load(page, source);
     } catch (error) {
-        page.fail(`This page cannot be shown: ${error instanceof Error ? error.message : String(error)}`);
+        if (error instanceof Crash) return; // the page has said so
+        await new Promise((resolve) => setTimeout(resolve)); // the event about the policy comes later
+        page.fail(`This page cannot be shown: ${error instanceof Error ? error.message : String(error)}${forbidden}`);
     }
 }

@@ -9,6 +9,8 @@ import type { Session } from './session.ts';
 export interface ToolActions {
     resetView(): void;
     fullScreen(): void;
+    save(): void;
+    scenes(): void;
     copyLink(): void;
     picture(): void;
     zip(): void;
@@ -35,6 +37,8 @@ export function makeTools(session: Session, actions: ToolActions, files: boolean
     const menu = makeMenu('Save and share', { class: 'menu' }, () => save);
     save.forEach((each) => each.addEventListener('click', menu.close));
     const screen = document.fullscreenEnabled ? [button('Full screen', actions.fullScreen, { title: 'F' })] : [];
+    // Of scenes that are from a folder, and of several.
+    const live = files ? [button('Save', actions.save, { title: 'Ctrl+S', class: 'of-folder' }), button('Scenes…', actions.scenes, { class: 'of-scenes' })] : [];
     const help = button('?', actions.help, { 'aria-label': 'Help', title: 'Help' });
     const refresh = () => {
         undo.disabled = !session.history.canUndo && session.motions.length === 0;
@@ -42,7 +46,7 @@ export function makeTools(session: Session, actions: ToolActions, files: boolean
         resetAll.disabled = !session.shown || !session.anyChanged;
     };
     refresh();
-    return { elements: [undo, redo, resetAll, ...(files ? [resetView] : []), ...screen, menu.element, help], refresh };
+    return { elements: [undo, redo, resetAll, ...(files ? [resetView] : []), ...screen, ...live, menu.element, help], refresh };
 }
 
 export async function copyText(text: string): Promise<boolean> {

@@ -1,7 +1,8 @@
 // What tests in browsers share: browsers with fresh profiles, pages by `snell web`, and what the pages say.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { after } from 'node:test';
@@ -44,6 +45,24 @@ export async function pageOf(folder, scene, ...options) {
 }
 
 export const builtPage = (name) => pathToFileURL(join(built, name)).href;
+
+const types = { html: 'text/html', js: 'text/javascript', css: 'text/css', json: 'application/manifest+json', svg: 'image/svg+xml' };
+
+// The address of a static host of the folder, which ends with the file's tests, or by `close`.
+export async function served(folder, headers = {}) {
+    const server = createServer((request, response) => {
+        const name = new URL(request.url, 'http://x').pathname.replace(/\/$/, '/index.html').slice(1);
+        const path = join(folder, decodeURIComponent(name));
+        response.setHeader('Content-Type', types[name.split('.').pop()] ?? 'text/plain');
+        for (const [header, value] of Object.entries(headers)) response.setHeader(header, value);
+        if (!existsSync(path)) response.statusCode = 404;
+        response.end(existsSync(path) ? readFileSync(path) : '');
+    });
+    await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
+    const close = () => new Promise((closed) => (server.close(closed), server.closeAllConnections()));
+    ends.push(close);
+    return { address: `http://127.0.0.1:${server.address().port}/`, close };
+}
 
 export async function chromium(...more) {
     const browser = await puppeteer.launch({
@@ -109,9 +128,13 @@ export async function tab(browser, { width = 1000, height = 700, still = true } 
 
 export const until = (page, condition, ...values) => page.waitForFunction(condition, { timeout: 60_000, polling: 30 }, ...values);
 
-// The line below the picture has its size, and the cover is gone.
+// The line below the picture has its size, and the cover is gone. What takes long here is drawn all the same.
 export const drawn = (page) =>
-    until(page, () => document.querySelector('.cover')?.hidden && /^\d+ × \d+, \d+ ms$/.test(document.querySelector('.status span').textContent));
+    until(page, () => {
+        const slow = document.querySelector('dialog[open][aria-label="This scene takes long"] button');
+        slow?.click();
+        return document.querySelector('.cover')?.hidden && /^\d+ × \d+, \d+ ms$/.test(document.querySelector('.status span').textContent);
+    });
 
 export async function shows(page, address) {
     await page.goto(address);

@@ -1,0 +1,49 @@
+// Dialogs, and questions to the author.
+import { button, el } from './dom.ts';
+
+export function makeDialog(title: string, ...children: Node[]): HTMLDialogElement {
+    const dialog = el('dialog', { 'aria-label': title, tabindex: -1 }, el('h2', {}, title), ...children);
+    // Keys do not reach the page below.
+    dialog.addEventListener('keydown', (event) => event.stopPropagation());
+    dialog.addEventListener('click', (event) => event.target === dialog && dialog.close());
+    return dialog;
+}
+
+// The dialog itself has the focus at first, so that it begins at its top.
+export function showFromTop(dialog: HTMLDialogElement): void {
+    dialog.showModal();
+    dialog.focus();
+}
+
+export interface Choice<T> {
+    text: string;
+    value: T;
+    // Above the text.
+    picture?: HTMLElement;
+}
+
+// Resolves with the choice, or undefined after Escape or Cancel.
+export function ask<T>(title: string, text: string, choices: readonly Choice<T>[]): Promise<T | undefined> {
+    return new Promise((resolve) => {
+        let chosen: T | undefined;
+        const choose = (value: T | undefined) => {
+            chosen = value;
+            dialog.close();
+        };
+        const pictured = choices.some(({ picture }) => picture);
+        const made = choices.map(({ text, value, picture }) => {
+            const each = button(text, () => choose(value));
+            if (picture) each.append(picture);
+            return each;
+        });
+        const list = el('div', { class: `editor-dialog-buttons${pictured ? ' pictured' : ''}` }, ...made, button('Cancel', () => choose(undefined)));
+        const dialog = makeDialog(title, el('p', {}, text), list);
+        dialog.className = 'editor-dialog';
+        dialog.addEventListener('close', () => {
+            dialog.remove();
+            resolve(chosen);
+        });
+        document.body.append(dialog);
+        dialog.showModal();
+    });
+}

@@ -1,0 +1,61 @@
+// The folder of a scene: what other programs save comes into the page, and the page's values and edits go there.
+import { ask } from '../dialog.ts';
+import type { EditorHost, Files } from './host.ts';
+import { baseOf, resolve } from './names.ts';
+import type { Session } from './session.ts';
+
+const list = (names: readonly string[]) => names.map((name) => baseOf(name)).join(', ');
+
+export class Living {
+    #stop = () => {};
+
+    constructor(
+        private readonly host: EditorHost,
+        private readonly session: Session,
+    ) {}
+
+    // Another scene is open.
+    opened(): void {
+        this.#stop();
+        const { folder } = this.host;
+        this.#stop = folder?.watch((all) => this.#look(all)) ?? (() => {});
+    }
+
+    async #look(all: boolean): Promise<void> {
+        const { host, session } = this;
+        const { folder } = host;
+        if (!folder) return;
+        const { files, gone } = await folder.look([...host.used(), ...session.names()], all);
+        if (folder !== host.folder || files.size + gone.length === 0) return;
+        for (const name of session.edited()) if (files.has(name) && !(await this.#takes(name, files))) files.delete(name);
+        if (gone.length > 0) host.changed(new Map(), gone);
+        session.replaced(files);
+    }
+
+    // A text that was changed here and there: whose is it?
+    async #takes(name: string, files: Files): Promise<boolean> {
+        const text = `'${name}' has edits here that are not saved, and another program has changed it, too.`;
+        const answer = await ask('Changed twice', text, [
+            { text: 'Keep my edits', value: 'mine' },
+            { text: 'Take the text of the file', value: 'theirs' },
+        ]);
+        if (answer !== 'theirs') this.session.rebase(name, files.get(name)!);
+        return answer === 'theirs';
+    }
+
+    // Only numbers change in texts that were not edited.
+    async save(): Promise<void> {
+        const { host, session } = this;
+        if (!host.folder) return;
+        await session.settled();
+        const texts = new Map(session.edited().map((name) => [name, session.bytes(name)]));
+        const { files, unwritten, error } = host.saved();
+        for (const { name, bytes } of files) texts.set(resolve('', name), bytes);
+        const rest = unwritten.slice(0, 3).map((each) => ` Not saved: ${each}.`).join('');
+        if (texts.size === 0) return host.say(error || rest.trim() || 'The values are those of the file.');
+        const failed = await host.folder.write(texts);
+        if (failed !== '') return host.say(failed);
+        session.replaced(texts);
+        host.say(`Saved ${list([...texts.keys()])}.${rest}${error && ` The values are not saved: ${error}.`}`);
+    }
+}

@@ -1,0 +1,183 @@
+// A folder that stays open: a real folder of the browser stands in for the one that its dialog gives.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { built, chord, chromium, drawn, openText, press, served, tab, until } from './harness/browser.mjs';
+
+const vertex = 'void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n';
+const fragment = (green) => `uniform float uA;\nvoid main() { gl_FragColor = vec4(.1 * uA, ${green}, 0., 1.); }\n`;
+const scene = '# first\r\nVertex a.vert\r\nFragment a.frag\r\nProgram P uA <1. 2. 10.>\r\nSphere 1 20 20\r\n';
+const files = { 'a.glib': scene, 'b.glib': scene.replace('first', 'second'), 'a.vert': vertex, 'a.frag': fragment('.5') };
+let origin, browser, page, said;
+
+before(async () => {
+    origin = (await served(join(built, 'site'))).address;
+    browser = await chromium();
+    ({ page, said } = await tab(browser));
+    await page.evaluateOnNewDocument(() => {
+        const folder = () => navigator.storage.getDirectory().then((root) => root.getDirectoryHandle('room', { create: true }));
+        window.showDirectoryPicker = folder;
+        // Another program writes.
+        window.put = async (name, text) => {
+            const handle = await (await folder()).getFileHandle(name, { create: true });
+            const writer = await handle.createWritable();
+            await writer.write(text);
+            await writer.close();
+        };
+        window.text = async (name) => (await (await (await folder()).getFileHandle(name)).getFile()).text();
+    });
+    await page.goto(origin);
+    for (const [name, text] of Object.entries(files)) await page.evaluate((name, text) => window.put(name, text), name, text);
+});
+
+const message = (pattern) => until(page, (text) => new RegExp(text).test(document.querySelector('.message').textContent), pattern.source);
+const text = (name) => page.evaluate((name) => window.text(name), name);
+const put = (name, what) => page.evaluate((name, what) => window.put(name, what), name, what);
+const number = () => page.$eval('.row.slider > .number', ({ value }) => Number(value));
+const shown = (pattern) => until(page, (text) => new RegExp(text).test(document.querySelector('.editor-code').shadowRoot.querySelector('.cm-content').textContent), pattern);
+
+async function type(value) {
+    await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
+    await page.keyboard.type(value);
+    await page.keyboard.press('Enter');
+}
+
+async function openFolder() {
+    await press(page, 'Open folder', '.editor-welcome');
+    await page.waitForSelector('.editor-dialog[open] .thumb canvas');
+}
+
+test('a folder lists its scenes with pictures, and one opens', async () => {
+    await openFolder();
+    await until(page, () => document.querySelectorAll('.thumb canvas').length === 2);
+    const painted = await page.$$eval('.thumb canvas', (all) => all.map((each) => new Set(each.getContext('2d').getImageData(0, 0, 160, 120).data).size));
+    assert.ok(painted.every((colours) => colours > 3), String(painted));
+    await press(page, 'room/a.glib', '.editor-dialog[open]');
+    await drawn(page);
+    assert.equal(await page.title(), 'a');
+    await openText(page);
+});
+
+test('what another program saves is seen within a second, with and without the observer', async () => {
+    for (const observed of [true, false]) {
+        await page.evaluate((observed) => void (observed || delete window.FileSystemObserver), observed);
+        const begun = Date.now();
+        await put('a.glib', scene.replace('first', observed ? 'observed' : 'looked at'));
+        await shown(observed ? 'observed' : 'looked at');
+        const milliseconds = Date.now() - begun;
+        assert.ok(milliseconds < 1500, `${milliseconds} ms`);
+    }
+});
+
+test('a mistake keeps the picture and stands at its line', async () => {
+    const colour = () => page.$eval('canvas', (canvas) => canvas.toDataURL().length > 1000);
+    assert.ok(await colour());
+    await put('a.frag', fragment('.5 +'));
+    await until(page, () => [...document.querySelectorAll('.editor-problem.error')].some((each) => /room\/a\.frag:2:/.test(each.textContent)));
+    assert.ok(await colour());
+    await put('a.frag', fragment('.8'));
+    await until(page, () => !document.querySelector('.editor-problem.error'));
+});
+
+test('Save writes the numbers, and nothing else', async () => {
+    await type('7.5');
+    const before = await text('a.glib');
+    await press(page, 'Save', '.tools');
+    await message(/^Saved a\.glib\./);
+    assert.equal(await text('a.glib'), before.replace('<1. 2. 10.>', '<1. 7.5 10.>'));
+    assert.equal(await text('a.frag'), fragment('.8'));
+    await shown('7\\.5');
+    await until(page, () => !document.querySelector('.editor-tabs [data-edited=true]'));
+    await until(page, () => document.querySelector('.dot').style.visibility === 'hidden'); // it is the scene's value now
+    assert.equal(await number(), 7.5);
+});
+
+test('nothing is overwritten that has changed meanwhile', async () => {
+    await type('3');
+    // Right before the file is written, and before the page has looked at it.
+    const other = scene.replace('first', 'of another program');
+    await page.evaluate((other) => {
+        const make = FileSystemFileHandle.prototype.createWritable;
+        FileSystemFileHandle.prototype.createWritable = async function (...options) {
+            FileSystemFileHandle.prototype.createWritable = make;
+            const writer = await make.apply(this, options);
+            await window.put('a.glib', other);
+            return writer;
+        };
+    }, other);
+    await press(page, 'Save', '.tools');
+    await message(/^Nothing was written: another program has changed 'room\/a\.glib'/);
+    assert.equal(await text('a.glib'), other);
+    await shown('of another program');
+});
+
+test('an edit here and there: the author chooses', async () => {
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await chord(page, 'Home');
+    await page.keyboard.type('# mine\n');
+    await until(page, () => document.querySelector('.editor-tabs [data-edited=true]'));
+    await put('a.glib', scene.replace('first', 'theirs'));
+    await page.waitForSelector('.editor-dialog[open]');
+    await press(page, 'Keep my edits', '.editor-dialog[open]');
+    await shown('# mine');
+    await press(page, 'Save', '.tools');
+    await message(/^Saved a\.glib\./);
+    assert.match(await text('a.glib'), /^# mine\r\n/);
+});
+
+test('after a reload the folder is open again, with the scene as it was saved', async () => {
+    await page.reload();
+    await drawn(page);
+    assert.equal(await page.title(), 'a');
+    assert.equal(await number(), 2);
+    await openText(page);
+    await put('a.glib', scene.replace('first', 'seen again'));
+    await shown('seen again');
+});
+
+test('edits survive a reload, are offered with their time, and taken or discarded', async () => {
+    for (const taken of [true, false]) {
+        await (await page.$('.editor-code >>> .cm-content')).click();
+        await chord(page, 'Home');
+        await page.keyboard.type(taken ? '# kept ' : '# gone ');
+        await shown(taken ? '# kept' : '# gone');
+        await new Promise((resolve) => setTimeout(resolve, 700));
+        await page.reload();
+        await page.waitForSelector('.editor-dialog[open]');
+        const offer = await page.$eval('.editor-dialog[open]', ({ textContent }) => textContent);
+        assert.match(offer, new RegExp(`${new Date().getFullYear()}.*'room/a.glib'`));
+        await press(page, taken ? 'Take the edits' : 'Discard the edits', '.editor-dialog[open]');
+        await drawn(page);
+        await openText(page);
+        await shown(taken ? '# kept' : '# kept # seen again|^((?!# gone).)*$');
+        assert.equal(await page.$eval('.editor-code >>> .cm-content', (code) => code.textContent.includes('# gone')), false);
+        if (taken) await press(page, 'Save', '.tools');
+        if (taken) await message(/^Saved/);
+    }
+});
+
+test('a draft is not mixed with a newer file', async () => {
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await page.keyboard.type('# old draft ');
+    await new Promise((resolve) => setTimeout(resolve, 800));
+    await page.goto(`${origin}manifest.json`);
+    await put('a.glib', scene.replace('first', 'newer'));
+    await page.goto(origin);
+    await until(page, () => /belong to an older text/.test(document.querySelector('.editor-dialog[open]')?.textContent));
+    await press(page, 'Discard', '.editor-dialog[open]');
+    assert.equal(await text('a.glib'), scene.replace('first', 'newer'));
+});
+
+test('the start page lists the folder that was open, and opens it', async () => {
+    const other = await tab(browser);
+    await other.page.evaluateOnNewDocument(() => sessionStorage.clear());
+    await other.page.goto(origin);
+    await other.page.waitForFunction(() => [...document.querySelectorAll('.editor-welcome h3')].some((each) => /that were open/.test(each.textContent)));
+    await press(other.page, 'room', '.editor-welcome');
+    await drawn(other.page);
+    assert.equal(await other.page.title(), 'a');
+    assert.deepEqual(other.said, []);
+    await other.page.close();
+});
+
+test('the console is silent', () => assert.deepEqual(said.filter((text) => !/404/.test(text)), [])); // an icon of the manifest
