@@ -95,6 +95,7 @@ double Walker::rounds_of(const Loop& loop) {
         if (const auto set = around_.uniforms.find(u_.globals[static_cast<std::size_t>(bound.uniform)].name);
             set != around_.uniforms.end())
             bound.range = set->second.range;
+    if (at(sides[0]).type.base == glsl::Base::uinteger && op == ">=" && bound.range == exactly(0)) return endless;
     const Range& from = slot(variable).value.range;
     const bool less = op == "<" || op == "<=", more = op == ">" || op == ">=";
     if (left_alone || (less && step < 0) || (more && step > 0)) {

@@ -121,6 +121,10 @@ constexpr Mistake mistakes[] = {
      "#version 330 compatibility\nvoid main() {\n    vex3 c = vec3(1., 0., 0.);\n    gl_FragColor = vec4(c, "
      "1.);\n}\n",
      "demo.frag:3:5 vex3", "'vex3' is not a type", "'vec3'"},
+    {"conversion beside a constructor of that type",
+     "#version 330 compatibility\nin vec3 vNormal;\nvoid main() { vec3 c = abs(gl_Color); gl_FragColor = "
+     "vec4(c, 1.); }\n",
+     "demo.frag:3:15 vec3", "a 'vec4' cannot be assigned to a 'vec3'", ".xyz"},
     {"type of a size that is not there",
      "#version 330 compatibility\nvoid main() {\n    vec5 c = vec5(1.);\n    gl_FragColor = vec4(1.);\n}\n",
      "demo.frag:3:5 vec5", "'vec5' is not a type", "vec2, vec3 and vec4"},

@@ -180,6 +180,16 @@ TEST_F(GradeClass, TheSceneWithTheUniformsIsMeant) {
         << said;
 }
 
+TEST_F(GradeClass, AHiddenEndingIsNamedWithWhatSettlesIt) {
+    scene("s/bob", paint, ball, "ball.glib.txt");
+    EXPECT_EQ(rows(), "ann:2 bob:0 ") << said;
+    EXPECT_EQ(problem("bob"),
+              "there is no scene: no file is called *.glib; there is 'ball.glib.txt'; the rubric settles it by a line "
+              "below [scenes]: \"bob\" = \"ball.glib.txt\"");
+    folder.write("r.toml", head + items + "[scenes]\nbob = \"ball.glib.txt\"\n");
+    EXPECT_EQ(rows(), "ann:2 bob:2 ") << said;
+}
+
 TEST_F(GradeClass, ScenesInArchivesAreCandidatesToo) {
     scene("s/bob/old", "broken");
     ASSERT_EQ(run("cd '" + at("s") +

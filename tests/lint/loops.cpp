@@ -78,13 +78,16 @@ TEST(LintLoops, WithoutAnEnd) {
     // They begin, and do not come nearer to their end.
     for (const char* loop : {"for (int i = 0; i < 10; --i) x += 1.;", "for (int i = 0; i < 10;) x += 1.;",
                              "for (float f = 1.; f > 0.; f += .1) x += f;", "int i = 0; while (i < 10) x += uX;",
-                             "int i = 0; do { --i; } while (i < 70000);"})
+                             "int i = 0; do { --i; } while (i < 70000);", "for (uint i = 3u; i >= 0u; --i) x += 1.;"})
         EXPECT_NE(looping(loop).text().find("for ever"), std::string::npos) << loop << looping(loop).text();
     const auto endless = [](const std::string& loop) {
         return ranges::any_of(looping(loop).found.items(), never_ends);
     };
     EXPECT_TRUE(endless("while (true) x += 1.;"));
     EXPECT_FALSE(endless("for (int i = 0; i < 70000; ++i) x += 1.;"));
+    for (const char* loop : {"for (int i = 3; i >= 0; --i) x += 1.;", "for (uint i = 3u; i > 0u; --i) x += 1.;",
+                             "for (uint i = 3u; i >= 0u; --i) { if (x > uX) break; x += 1.; }"})
+        EXPECT_FALSE(endless(loop)) << loop;
     EXPECT_NE(looping("while (true) x += 1.;").text().find("for ever"), std::string::npos);
 }
 

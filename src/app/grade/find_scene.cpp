@@ -90,7 +90,7 @@ FoundScene find_scene(const std::vector<std::string>& folders, const WantedScene
         const bool fits = wanted.named.empty() ? fits_pattern(name, wanted.pattern.empty() ? "*.glib" : wanted.pattern)
                                                : ends_with_path(path, wanted.named) ||
                                                      ends_with_path(utf8::printable(path), wanted.named);
-        if (fits || has_extension(name, "glib"))
+        if (fits || lowered(name).find(".glib") != name.npos)  // also a.glib.txt, whose ending Windows hides
             (fits ? scenes : others).push_back({folder, path, same_word(name, wanted.preferred), depth});
         return content::Walk::on;
     };

@@ -144,12 +144,18 @@ void place_on_line(const Entry& entry, const Context& context, Place& found) {
         }
     }
     Aim target{.word = use_quoted ? quoted : std::string(), .ordinal = 0};
-    for (const std::string_view row : translated_lines(context.stage->text, entry.string, entry.line)) {
-        const auto better = aim(entry, row, target.word, line);
-        if (!better) continue;
-        target = *better;
-        break;
-    }
+    const std::vector<std::string_view> rows = translated_lines(context.stage->text, entry.string, entry.line);
+    const auto aim_at = [&](const std::string& word) {
+        for (const std::string_view row : rows)
+            if (const auto better = aim(entry, row, word, line)) {
+                target = *better;
+                return true;
+            }
+        return false;
+    };
+    // A conversion's types need not be written where it is.
+    const bool by_column = entry.kind == Kind::convert && entry.column > 0;
+    if (!by_column || !aim_at("")) aim_at(target.word);
     if (target.word.empty()) return;
     std::size_t seen = 0;
     for (const Word& w : on_line) {
