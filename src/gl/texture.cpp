@@ -78,7 +78,10 @@ Texture make_texture(GLenum target, std::span<const Texels> images, const Sampli
 Texture make_words(int width, int height) {
     Texture texture(make(glGenTextures));
     glBindTexture(GL_TEXTURE_2D, texture.get());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, width, height, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+    if (is_desktop())
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, width, height, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+    else  // ANGLE complains, and copies on the CPU, unless the storage is there before a buffer fills it
+        glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32UI, width, height);
     set_levels(GL_TEXTURE_2D, {Sampling::Mode::nearest, 1, true});
     glBindTexture(GL_TEXTURE_2D, 0);
     return texture;

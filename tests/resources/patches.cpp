@@ -165,6 +165,86 @@ TEST_F(Patches, CasesWithTessellationDrawWhatTheDriverDraws) {
     }
 }
 
+// Levels are kept, and asked for again when what they depend on changes.
+TEST_F(Patches, FollowTheirUniforms) {
+    const std::string scene = SNELL_ROOT "/docs/teaching/06-geometry/solution/round.glib";
+    const auto native = open_file(scene);
+    gl::leave_stages(caps);
+    const auto emulated = open_file(scene);
+    for (const char* value : {"uDetail=3", "uDetail=16", "uRound=.4", "uShrink=.5", "uDetail=3"}) {
+        SCOPED_TRACE(value);
+        EXPECT_EQ(draw(*native, {.sets = {value}}), draw(*emulated, {.sets = {value}}));
+    }
+}
+
+constexpr std::string_view pass_on = "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n";
+
+// Each face has its levels, which a texture gives; a color comes from the mesh.
+TEST_F(Patches, TextureAndFaceGiveLevels) {
+    folder.write("four.bmp", bmp(2, 2, {{255, 0, 0}, {60, 0, 0}, {120, 0, 0}, {200, 0, 0}}));
+    folder.write("s.vert", pass_on);
+    folder.write(
+        "s.tcs",
+        "#version 400 compatibility\nlayout(vertices = 3) out; uniform int FaceIndex; uniform sampler2D uUnit;\n"
+        "void main() {\n    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+        "    float level = 1. + 7.3 * texelFetch(uUnit, ivec2(gl_in[0].gl_Position.x > 0., gl_in[0].gl_Position.y > "
+        "0.), 0).r;\n"
+        "    for (int i = 0; i < 3; ++i) gl_TessLevelOuter[i] = level * float(FaceIndex % 3);\n"
+        "    gl_TessLevelInner[0] = level;\n}\n");
+    folder.write(
+        "s.tes",
+        "#version 400 compatibility\nlayout(triangles) in; out vec3 shade;\nvoid main() {\n"
+        "    vec4 p = mat3x4(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_in[2].gl_Position) * gl_TessCoord;\n"
+        "    shade = fract(gl_TessCoord * 3.);\n"
+        "    gl_Position = gl_ModelViewProjectionMatrix * vec4(normalize(p.xyz), 1.);\n}\n");
+    folder.write("s.frag", "#version 330\nin vec3 shade; out vec4 c; void main() { c = vec4(shade, 1.); }\n");
+    compare([&] {
+        return open(
+            "Perspective 50\nLookAt 0 0 4 0 0 0 0 1 0\nTexture2D 6 four.bmp\nVertex s.vert\nTessControl s.tcs\n"
+            "TessEvaluation s.tes\nFragment s.frag\nProgram P uUnit 6\nSoccerball\n");
+    });
+}
+
+// More vertices than are kept from frame to frame, in several pieces.
+TEST_F(Patches, ManyAreDividedForEachFrame) {
+    folder.write("s.vert", pass_on);
+    folder.write("s.tcs",
+                 "#version 400 compatibility\nlayout(vertices = 1) out;\nvoid main() {\n"
+                 "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+                 "    for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = 64.;\n"
+                 "    gl_TessLevelInner[0] = gl_TessLevelInner[1] = 64.;\n}\n");
+    folder.write("s.tes",
+                 "#version 400 compatibility\nlayout(quads) in;\nvoid main() {\n"
+                 "    gl_Position = vec4(gl_in[0].gl_Position.xy + gl_TessCoord.xy * .07, 0., 1.); }\n");
+    folder.write("s.frag", "void main() { gl_FragColor = vec4(1., .5, 0., 1.); }\n");
+    std::string scene =
+        "Vertex s.vert\nTessControl s.tcs\nTessEvaluation s.tes\nFragment s.frag\nProgram P\n"
+        "NumPatchVertices 1\nglBegin gl_patches\n";
+    for (int i = 0; i < 520; ++i) scene += fmt::format("glVertex {} {} 0\n", i % 23 * .08 - 1, i / 23 * .08 - 1);
+    gl::leave_stages(caps);
+    const auto document = open(scene + "glEnd\n");
+    expect_clean(*document);
+    const Picture first = draw(*document), second = draw(*document);
+    EXPECT_EQ(first, second);
+    EXPECT_GT(first.count({255, 128, 0, 255}), 64 * 64 / 2);
+}
+
+TEST_F(Patches, WhatTheyCannotDoIsSaidAtItsPlace) {
+    folder.write("s.vert", pass_on);
+    folder.write("s.tcs",
+                 "#version 400\nlayout(vertices = 1) out;\nvoid main() {\n    float all[2]; all[1] = 1.;\n"
+                 "    barrier();\n    gl_TessLevelOuter[0] = all[1];\n}\n");
+    folder.write("s.tes", "#version 400\nlayout(isolines) in;\nvoid main() { gl_Position = gl_in[0].gl_Position; }\n");
+    gl::leave_stages(caps);
+    const auto document = open(
+        "Vertex s.vert\nTessControl s.tcs\nTessEvaluation s.tes\nProgram P\nNumPatchVertices 1\n"
+        "glBegin gl_patches\nglVertex 0 0 0\nglEnd\n");
+    ASSERT_TRUE(has(*document, "unsupported-stage"));
+    const auto& said = document->diagnostics.items();
+    const Span span = ranges::find(said, "unsupported-stage", &Diagnostic::code)->span;
+    EXPECT_EQ(document->sources.position(span.file, span.begin).line, 5);
+}
+
 TEST_F(PatchesEs, LessonDrawsWhatTheDriverDraws) {
     compare([&] { return open_file(SNELL_ROOT "/docs/teaching/06-geometry/solution/round.glib"); });
 }

@@ -95,7 +95,6 @@ TEST_P(Pick, ShadersThatMoveAndDiscard) {
 }
 
 TEST_P(Pick, GeometryThatShadersMake) {
-    if (!caps.geometry) GTEST_SKIP() << "no geometry shaders";
     folder.write(
         "grow.geom",
         "#version 330 compatibility\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\n"
@@ -103,13 +102,15 @@ TEST_P(Pick, GeometryThatShadersMake) {
         "    for (int i = 0; i < 3; ++i) {\n        gl_Position = mix(gl_PositionIn[i], center, .3) + vec4(.3, .2, "
         "0., 0.);\n        EmitVertex();\n    }\n    EndPrimitive();\n}\n");
     folder.write("bare.vert", "void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
-    expect_exact("Perspective 50\nLookAt 0 1 4 0 0 0 0 1 0\nVertex plain.vert\nFragment color.frag\n" +
-                 object(1, "QuadXY -.5 1.") + "Vertex bare.vert\nGeometry grow.geom\n" + object(2, "Sphere .8 12 12") +
-                 object(3, "Translate -.8 0 .3\nSphere .6 9 9"));
+    const std::string scene = "Perspective 50\nLookAt 0 1 4 0 0 0 0 1 0\nVertex plain.vert\nFragment color.frag\n" +
+                              object(1, "QuadXY -.5 1.") + "Vertex bare.vert\nGeometry grow.geom\n" +
+                              object(2, "Sphere .8 12 12") + object(3, "Translate -.8 0 .3\nSphere .6 9 9");
+    expect_exact(scene);
+    gl::leave_stages(caps);
+    expect_exact(scene);
 }
 
 TEST_P(Pick, GeometryThatIsTessellated) {
-    if (!caps.tessellation) GTEST_SKIP() << "no tessellation shaders";
     folder.write("bare.vert", "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n");
     folder.write("round.tcs",
                  "#version 400 compatibility\nlayout(vertices = 3) out;\nvoid main() {\n"
@@ -124,9 +125,12 @@ TEST_P(Pick, GeometryThatIsTessellated) {
         "    gl_Position = gl_ModelViewProjectionMatrix * vec4(1.2 * normalize(p), 1.); }\n");
     const std::string patch =
         "NumPatchVertices 3\nglBegin gl_patches\nglVertex 1. 0. .3\nglVertex 0. 1. .3\nglVertex -.7 -.7 .3\nglEnd";
-    expect_exact("Perspective 50\nLookAt 0 1 4 0 0 0 0 1 0\nVertex plain.vert\nFragment color.frag\n" +
-                 object(1, "QuadXY .5 1.4") + "Vertex bare.vert\nTessControl round.tcs\nTessEvaluation round.tes\n" +
-                 object(2, patch));
+    const std::string scene = "Perspective 50\nLookAt 0 1 4 0 0 0 0 1 0\nVertex plain.vert\nFragment color.frag\n" +
+                              object(1, "QuadXY .5 1.4") +
+                              "Vertex bare.vert\nTessControl round.tcs\nTessEvaluation round.tes\n" + object(2, patch);
+    expect_exact(scene);
+    gl::leave_stages(caps);
+    expect_exact(scene);
 }
 
 TEST_P(Pick, WhatWasClearedAwayAndWhatIsOffScreenIsNotThere) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace snell::content {
@@ -22,7 +23,11 @@ struct Tessellator {
 struct TessellationLevels {
     std::array<float, 4> outer{1, 1, 1, 1};
     std::array<float, 2> inner{1, 1};
-    auto operator<=>(const TessellationLevels&) const = default;
+    bool operator==(const TessellationLevels&) const = default;
+    // Not by <=>, which not every standard library has for arrays yet.
+    bool operator<(const TessellationLevels& other) const {
+        return std::tie(outer, inner) < std::tie(other.outer, other.inner);
+    }
 };
 
 // The least maximum that OpenGL allows, and the greatest level that counts here.

@@ -17,7 +17,7 @@ using content::TessellationLevels;
 
 constexpr std::size_t texel_bytes = 16;
 // Vertices of one piece. What has more of them than `most_kept` is divided again for each frame.
-constexpr std::size_t most_vertices = 1 << 19, most_kept = 1 << 22;
+constexpr std::size_t most_vertices = 1 << 19, most_kept = 1 << 21;
 
 content::Tessellator tessellator_of(const glsl::EmulatedTessellation& form) {
     using content::Domain;
@@ -62,7 +62,7 @@ void PatchDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t pa
     state.color(color);
     std::vector<double> depends = what_decides(first, color);
     if (reads_textures(first) || !made.captured || made.depends != depends) {
-        make_room(made, *program.tessellation, of.count, state);
+        make_room(made, *program.tessellation, of.count, static_cast<GLenum>(program.stage_unit + 2), state);
         stages.bind(first, program.stage_unit, of, mesh.has_color, state);
         control(made, program, of.count, none_.get(), state, samples);
         made.depends = std::move(depends);
@@ -83,11 +83,12 @@ void PatchDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t pa
 }
 
 // For what the control stage gives.
-void PatchDraw::make_room(Part& part, const glsl::EmulatedTessellation& form, int patches, State& state) {
+void PatchDraw::make_room(Part& part, const glsl::EmulatedTessellation& form, int patches, GLenum unit, State& state) {
     if (!none_) none_ = gl::VertexArray(gl::make(glGenVertexArrays));
     const auto texels = static_cast<std::size_t>(patches * form.runs * form.slots);
     const std::size_t rows = (texels + content::tree_row - 1) / content::tree_row;
     if (rows == part.rows) return;
+    glActiveTexture(GL_TEXTURE0 + unit);  // the scene's textures are bound already
     part.rows = rows;
     part.captured = gl::Buffer(gl::make(glGenBuffers));
     glBindBuffer(GL_ARRAY_BUFFER, part.captured.get());

@@ -35,7 +35,7 @@ private:
         std::vector<Piece> pieces;
         bool kept = true;
     };
-    void make_room(Part& part, const glsl::EmulatedTessellation& form, int patches, State& state);
+    void make_room(Part& part, const glsl::EmulatedTessellation& form, int patches, GLenum unit, State& state);
     static void control(Part& part, LinkedProgram& program, int patches, GLuint none, State& state,
                         gl::AnySamples* samples);
     static void divide(Part& part, const LinkedProgram& program, State& state);
