@@ -73,10 +73,10 @@ test('a mistake keeps the picture and stands at its line', async () => {
     const colour = () => page.$eval('canvas', (canvas) => canvas.toDataURL().length > 1000);
     assert.ok(await colour());
     await put('a.frag', fragment('.5 +'));
-    await until(page, () => [...document.querySelectorAll('.editor-problem.error')].some((each) => /room\/a\.frag:2:/.test(each.textContent)));
+    await until(page, () => [...document.querySelectorAll('.editor-problems .problem.error')].some((each) => /room\/a\.frag:2:/.test(each.textContent)));
     assert.ok(await colour());
     await put('a.frag', fragment('.8'));
-    await until(page, () => !document.querySelector('.editor-problem.error'));
+    await until(page, () => !document.querySelector('.editor-problems .problem.error'));
 });
 
 test('Save writes the numbers, and nothing else', async () => {
