@@ -75,6 +75,7 @@ test('a mistake keeps the picture and stands at its line', async () => {
     await put('a.frag', fragment('.5 +'));
     await until(page, () => [...document.querySelectorAll('.editor-problems .problem.error')].some((each) => /room\/a\.frag:2:/.test(each.textContent)));
     assert.ok(await colour());
+    assert.equal(page.workers().length, 1, 'the text was checked by the worker');
     await put('a.frag', fragment('.8'));
     await until(page, () => !document.querySelector('.editor-problems .problem.error'));
 });
