@@ -126,11 +126,13 @@ test('an edit here and there: the author chooses', async () => {
     assert.match(await text('a.glib'), /^# mine\r\n/);
 });
 
-test('after a reload the folder is open again, with the scene as it was saved', async () => {
+test('after a reload the folder is open again, with the values as they were', async () => {
+    await type('4.5');
+    await until(page, () => /uA=4\.5/.test(location.hash));
     await page.reload();
     await drawn(page);
     assert.equal(await page.title(), 'a');
-    assert.equal(await number(), 2);
+    assert.equal(await number(), 4.5);
     await openText(page);
     await put('a.glib', scene.replace('first', 'seen again'));
     await shown('seen again');
