@@ -5,13 +5,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/content/image/image.h"
 #include "src/content/text_forms.h"
 #include "src/document/document.h"
 #include "src/lint/lint.h"
+#include "src/plan/plan.h"
 #include "src/plan/setup.h"
+#include "src/plan/texts.h"
 #include "src/plan/view.h"
-#include "web/interface/checked.h"
-#include "web/interface/decoded.h"
 #include "web/interface/drawing.h"
 #include "web/interface/text.h"
 
@@ -52,6 +53,26 @@ Settings settings_of(const char* text) {
     settings.fresh = json.value("fresh", false);
     settings.lints = json.value("lints", true);
     return settings;
+}
+
+// What is said of a scene without graphics, with lints. The document has no runtime.
+Document checked(const std::string& path) {
+    Document document;
+    document.path = path;
+    document.files = std::make_unique<Files>(scene_folder(path), page_access({}));
+    if (const auto plan = read_plan(path, *document.files, document.sources, document.diagnostics))
+        document.diagnostics.append(lint::check(*plan, document.sources, shader_includes(*document.files)));
+    document.diagnostics.sort();
+    return document;
+}
+
+// The bytes of an image file in the form that every decoder of the page takes in place of the file.
+std::vector<std::byte> decoded(const std::string& name, std::string_view bytes, std::string& error) {
+    const content::ImageResult result =
+        content::decode_image(name, bytes, {.bytes = page_access({}).limits.texture_bytes});
+    if (result.image) return content::decoded_file(*result.image);
+    error = result.issues.empty() ? "cannot be decoded" : result.issues.front().message;
+    return {};
 }
 
 // JSON has no bytes, and not every text is UTF-8: each byte crosses as the character of its number.

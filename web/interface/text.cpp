@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -104,6 +105,8 @@ Json problems_json(const Diagnostics& diagnostics, const Sources& sources) {
     Json all = Json::array();
     for (Diagnostic d : diagnostics.items()) {
         d.help = without_options(d.help);
+        d.message.resize(
+            std::min(d.message.find(": without a GPU"), d.message.size()));  // of loops: no browser ends them
         Json one{{"severity", name(d.severity)}, {"code", d.code}, {"message", d.message}, {"help", d.help}};
         if (d.has_span) one["at"] = place_json(d.span, sources);
         one["text"] = render(d, sources);

@@ -1,14 +1,16 @@
 // A page in Firefox: it opens from a disk, draws, and takes real input.
 import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
-import { chord, drawn, firefox, pageOf, shows, tab, temporaryFolder, until } from './harness/browser.mjs';
+import { join } from 'node:path';
+import { built, chord, drawn, firefox, openText, pageOf, press, served, shows, tab, temporaryFolder, until } from './harness/browser.mjs';
 import { colours, difference, pixelsOf } from './harness/png.mjs';
 
 const folder = temporaryFolder();
-let page, said, first;
+let browser, page, said, first;
 
 before(async () => {
-    const [address, browser] = await Promise.all([pageOf(folder, 'scenes/refraction-room/refraction-room.glib'), firefox()]);
+    const address = await pageOf(folder, 'scenes/refraction-room/refraction-room.glib');
+    browser = await firefox();
     ({ page, said } = await tab(browser, { still: false }));
     await shows(page, address);
 });
@@ -72,6 +74,31 @@ test('broken text keeps the picture, and its undo the scene', async () => {
     await chord(page, 'z');
     await until(page, () => document.querySelector('.problems').hidden);
     assert.equal(share(await shown(), before), 0);
+});
+
+test('the start page says that folders are read once, and edits of a new scene survive a reload', async () => {
+    const { page, said } = await tab(browser, { still: false });
+    await page.goto((await served(join(built, 'site'))).address);
+    await page.waitForSelector('.editor-welcome img');
+    assert.match(await page.$eval('.editor-welcome', ({ textContent }) => textContent), /reads a folder once/);
+    const begin = async () => {
+        await press(page, 'New scene', '.editor-welcome');
+        await drawn(page);
+    };
+    await begin();
+    await openText(page);
+    await page.evaluate(() => document.querySelector('.editor-code').shadowRoot.querySelector('.cm-content').focus());
+    await page.keyboard.type('# mine ');
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    await page.reload();
+    await page.waitForSelector('.editor-welcome img');
+    await begin();
+    await page.waitForSelector('.editor-dialog[open]');
+    await press(page, 'Take the edits', '.editor-dialog[open]');
+    await openText(page);
+    await until(page, () => /# mine/.test(document.querySelector('.editor-code').shadowRoot.textContent));
+    assert.deepEqual(said, []);
+    await page.close();
 });
 
 test('the console is silent', () => assert.deepEqual(said, []));

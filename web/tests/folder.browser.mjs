@@ -73,10 +73,11 @@ test('a mistake keeps the picture and stands at its line', async () => {
     const colour = () => page.$eval('canvas', (canvas) => canvas.toDataURL().length > 1000);
     assert.ok(await colour());
     await put('a.frag', fragment('.5 +'));
-    await until(page, () => [...document.querySelectorAll('.editor-problem.error')].some((each) => /room\/a\.frag:2:/.test(each.textContent)));
+    await until(page, () => [...document.querySelectorAll('.editor-problems .problem.error')].some((each) => /room\/a\.frag:2:/.test(each.textContent)));
     assert.ok(await colour());
+    assert.equal(page.workers().length, 1, 'the text was checked by the worker');
     await put('a.frag', fragment('.8'));
-    await until(page, () => !document.querySelector('.editor-problem.error'));
+    await until(page, () => !document.querySelector('.editor-problems .problem.error'));
 });
 
 test('Save writes the numbers, and nothing else', async () => {
@@ -125,11 +126,13 @@ test('an edit here and there: the author chooses', async () => {
     assert.match(await text('a.glib'), /^# mine\r\n/);
 });
 
-test('after a reload the folder is open again, with the scene as it was saved', async () => {
+test('after a reload the folder is open again, with the values as they were', async () => {
+    await type('4.5');
+    await until(page, () => /uA=4\.5/.test(location.hash));
     await page.reload();
     await drawn(page);
     assert.equal(await page.title(), 'a');
-    assert.equal(await number(), 2);
+    assert.equal(await number(), 4.5);
     await openText(page);
     await put('a.glib', scene.replace('first', 'seen again'));
     await shown('seen again');

@@ -396,6 +396,7 @@ void hint_read_only(std::string_view name, const Place& place, const Context& co
 
 std::string help(const Misfit& misfit) {
     const std::string_view op = misfit.op, left = misfit.left, right = misfit.right;
+    if (op == ":=") return conversion_help(right, left);
     const auto scalar = [](std::string_view type) {
         return type == "float" || type == "int" || type == "uint" || type == "bool" || type == "double";
     };

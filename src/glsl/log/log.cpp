@@ -97,16 +97,17 @@ std::string told_of(const Entry& entry, const Context& context, std::string_view
     return fmt::format(" (program '{}')", program);
 }
 
-// What our own reading of the shader knows of the operands that the driver refused on this line.
+// What our own reading of the shader knows of the operands, or of the value, that the driver refused on this line.
 const Misfit* misfit_of(const Found& found, const Context& context) {
     const std::string_view text = found.entry.text;
+    const bool assigned = found.entry.kind == log::Kind::convert && found.entry.a.empty();
     const bool operands = found.entry.kind == log::Kind::operands || found.entry.kind == log::Kind::condition ||
                           text.find("operator") != text.npos || text.find("operand") != text.npos ||
                           text.find("HS of ") != text.npos;
-    if (!operands || !context.stage || !found.place.known) return nullptr;
+    if ((!operands && !assigned) || !context.stage || !found.place.known) return nullptr;
     const Misfit* best = nullptr;
     for (const Misfit& m : context.stage->misfits) {
-        if (m.span.file != found.place.file || m.op == "=") continue;
+        if (m.span.file != found.place.file || m.op == "=" || (m.op == ":=") != assigned) continue;
         const int first = context.sources.position(m.span.file, m.span.begin).line;
         const int last = context.sources.position(m.span.file, m.span.end).line;
         if (found.place.line < first || found.place.line > last) continue;
@@ -121,7 +122,7 @@ Diagnostic explain(const Found& found, const Context& context, std::string_view 
     Diagnostic diagnostic;
     diagnostic.severity = found.entry.severity;
     if (const Misfit* misfit = misfit_of(found, context)) {
-        diagnostic.code = code_of(log::Kind::operands);
+        diagnostic.code = code_of(misfit->op == ":=" ? log::Kind::convert : log::Kind::operands);
         diagnostic.span = misfit->span;
         diagnostic.message = log::message(*misfit) + told_of(found.entry, context, program);
         diagnostic.help = log::help(*misfit);

@@ -187,6 +187,8 @@ std::string user_words(std::string_view message, std::string_view user) {
 
 std::string message(const Misfit& misfit) {
     if (misfit.right.empty()) return fmt::format("'{}' does not take {}", misfit.op, with_article(misfit.left));
+    if (misfit.op == ":=")
+        return fmt::format("{} cannot be assigned to {}", with_article(misfit.right), with_article(misfit.left));
     if (misfit.op == "?:")
         return fmt::format("'? :' chooses between {} and {}", with_article(misfit.left), with_article(misfit.right));
     return fmt::format("'{}' does not take {} and {}", misfit.op, with_article(misfit.left),

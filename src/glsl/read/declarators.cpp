@@ -102,6 +102,7 @@ bool Parser::begins_undefined(const Qualifiers& q, const Type& type, const Globa
 Expression Parser::initialiser(const Type& due) {
     if (!is("{")) {
         Expression e = assignment();
+        note_assigned(due, e);
         convert(e, due, Due::initialiser);
         return e;
     }

@@ -73,6 +73,17 @@ void Parser::note_operands(const Expression& a, const Expression& b, std::string
                           type_name(b.type.base, b.type.rows, b.type.cols)});
 }
 
+void Parser::note_assigned(const Type& to, const Expression& value) {
+    if (value.first < 0 || value.last < value.first || !known(to) || !known(value.type)) return;
+    if (to.rows == value.type.rows && to.cols == value.type.cols) return;
+    const Span first = u_.span(value.first), last = u_.span(value.last);
+    if (first.file != last.file) return;
+    u_.misfits.push_back({{first.file, first.begin, last.end},
+                          ":=",
+                          type_name(to.base, to.rows, to.cols),
+                          type_name(value.type.base, value.type.rows, value.type.cols)});
+}
+
 void Parser::note_operand(const Expression& e, std::string_view op) {
     if (e.first < 0 || e.last < e.first || !known(e.type)) return;
     const bool good = op == "!" ? e.type.scalar() : op == "~" ? e.type.integral() : e.type.numeric();
@@ -197,6 +208,7 @@ Expression Parser::assignment() {
                 {u_.span(target.first), "=", {}, type_name(value.type.base, value.type.rows, value.type.cols)});
         Type due = target.type;
         if (!plain && op != "<<=" && op != ">>=") note_operands(target, value, op.substr(0, 1));
+        if (plain) note_assigned(due, value);
         if (!plain && due.floating()) due = make_type(due.base, value.type.rows);
         if (op != "<<=" && op != ">>=") convert(value, due, plain ? Due::assignment : Due::operand);
         if (!plain) mark_division(nullptr, value, op.substr(0, 1));

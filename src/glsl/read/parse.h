@@ -107,6 +107,7 @@ private:
     bool foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result);
     void convert(const Expression& e, const Type& due, Due why);
     // Remembers operands that the operator does not take.
+    void note_assigned(const Type& to, const Expression& value);
     void note_operands(const Expression& a, const Expression& b, std::string_view op);
     void note_operand(const Expression& e, std::string_view op);
     // See marks.cpp. `a` is null where the dividend is assigned.

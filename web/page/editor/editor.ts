@@ -17,19 +17,10 @@ import { makeTabs } from './tabs.ts';
 const help =
     'Ctrl Space completes, Ctrl F searches, F8 goes to the next problem, Ctrl Z undoes, Ctrl S saves or downloads. To leave the text by keyboard, press Esc and then Tab.';
 
-function block(className: string): HTMLElement {
-    const element = document.createElement('div');
-    element.className = className;
-    return element;
-}
-
 // The text field is in a shadow tree: there, CodeMirror's styles are constructed style sheets, which the page's
 // Content-Security-Policy allows.
 function makeCode(): { panel: HTMLElement; view: EditorView } {
-    const panel = block('editor-code');
-    panel.id = 'editor-code';
-    panel.setAttribute('role', 'tabpanel');
-    panel.setAttribute('aria-label', 'Text');
+    const panel = el('div', { class: 'editor-code', id: 'editor-code', role: 'tabpanel', 'aria-label': 'Text' });
     const root = panel.attachShadow({ mode: 'open' });
     const view = new EditorView({ root });
     root.append(view.dom);
@@ -69,9 +60,6 @@ function downloads(host: EditorHost, session: Session) {
 }
 
 export function makeEditor(host: EditorHost): Editor {
-    const element = document.createElement('section');
-    element.className = 'editor';
-    element.setAttribute('aria-label', 'Editor');
     const { panel, view } = makeCode();
     keepCaret(panel, view);
     const goTo: Editor['goTo'] = (place) => {
@@ -100,8 +88,9 @@ export function makeEditor(host: EditorHost): Editor {
         dialog.replaceChildren(opening.welcome, button('Close', () => dialog.close()));
         dialog.showModal();
     };
-    const bar = block('editor-buttons');
-    bar.append(
+    const bar = el(
+        'div',
+        { class: 'editor-buttons' },
         button('Open…', open),
         button('Download .zip', save.all),
         button('Download this file', save.one),
@@ -111,7 +100,7 @@ export function makeEditor(host: EditorHost): Editor {
     );
     const hint = el('details', { class: 'editor-fine-print' }, el('summary', {}, 'Keys'), help);
     const head = el('div', { class: 'editor-head' }, tabs.element, bar);
-    element.append(head, panel, list.element, hint, dialog);
+    const element = el('section', { class: 'editor', 'aria-label': 'Editor' }, head, panel, list.element, hint, dialog);
     // Captured, because keys do not leave the text field.
     const saveKey = (event: KeyboardEvent) => {
         if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key !== 's') return;

@@ -101,8 +101,8 @@ export class Folder {
     // Writes all texts or none. Returns "" or why nothing was written.
     async write(texts: Files): Promise<string> {
         const mode: Mode = { mode: 'readwrite' };
-        const allowed = (await this.handle.queryPermission?.(mode)) === 'granted' || (await this.handle.requestPermission?.(mode)) !== 'denied';
-        if (!allowed) return 'The browser was not allowed to write into the folder.';
+        const allowed = (await this.handle.requestPermission?.(mode)) ?? 'granted'; // asks only once
+        if (allowed !== 'granted') return 'The browser was not allowed to write into the folder.';
         const writers: FileSystemWritableFileStream[] = [];
         try {
             for (const [name, bytes] of texts) {

@@ -1,4 +1,5 @@
 // Problems from two sources, and their list.
+import { el } from '../dom.ts';
 import type { Place, Problem } from '../engine.ts';
 import { resolve } from './names.ts';
 
@@ -39,34 +40,20 @@ export interface ProblemList {
 
 const shown = 200;
 
-function row(problem: Problem, goTo: (place: Place) => void): HTMLElement {
-    const item = document.createElement('li');
-    const { at } = problem;
-    const button = document.createElement(at ? 'button' : 'span');
-    button.className = `editor-problem ${problem.severity}`;
-    const place = document.createElement('span');
-    place.className = 'editor-place';
-    place.textContent = `${at ? `${resolve('', at.file)}:${at.line}:${at.column}: ` : ''}${problem.severity}: `;
-    button.append(place, problem.message);
-    if (problem.help) {
-        const help = document.createElement('span');
-        help.className = 'editor-help';
-        help.textContent = problem.help;
-        button.append(help);
-    }
-    if (at) button.addEventListener('click', () => goTo(at));
-    item.append(button);
-    return item;
+// A problem as it is listed, here and below the picture.
+export function problemItem(problem: Problem, goTo: (place: Place) => void): HTMLElement {
+    const { at, severity, message, help } = problem;
+    const place = el('strong', { class: severity }, `${at ? `${resolve('', at.file)}:${at.line}:${at.column}: ` : ''}${severity}: `);
+    const hint = help === '' ? [] : [el('span', { class: 'help' }, help)];
+    const item = el(at ? 'button' : 'div', { type: at && 'button', class: `problem ${severity}` }, place, message, ...hint);
+    if (at) item.addEventListener('click', () => goTo(at));
+    return el('li', {}, item);
 }
 
 export function makeProblemList(goTo: (place: Place) => void): ProblemList {
-    const element = document.createElement('section');
-    element.className = 'editor-problems';
-    element.setAttribute('aria-label', 'Problems of the text');
-    const heading = document.createElement('p');
-    heading.setAttribute('role', 'status');
-    const list = document.createElement('ul');
-    element.append(heading, list);
+    const heading = el('p', { role: 'status' });
+    const list = el('ul', {});
+    const element = el('section', { class: 'editor-problems', 'aria-label': 'Problems of the text' }, heading, list);
     let before: readonly Problem[] | undefined;
     const show = (problems: readonly Problem[]) => {
         if (problems === before) return;
@@ -74,14 +61,8 @@ export function makeProblemList(goTo: (place: Place) => void): ProblemList {
         const text = summary(problems);
         // The same text again would be announced again.
         if (heading.textContent !== text) heading.textContent = text;
-        element.classList.toggle('none', problems.length === 0);
-        const rows = problems.slice(0, shown).map((problem) => row(problem, goTo));
-        if (problems.length > shown) {
-            const rest = document.createElement('li');
-            rest.textContent = `${problems.length - shown} more are not listed.`;
-            rows.push(rest);
-        }
-        list.replaceChildren(...rows);
+        list.replaceChildren(...problems.slice(0, shown).map((problem) => problemItem(problem, goTo)));
+        if (problems.length > shown) list.append(el('li', {}, `${problems.length - shown} more are not listed.`));
     };
     return { element, show };
 }

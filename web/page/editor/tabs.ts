@@ -1,4 +1,5 @@
 // The files as tabs: arrow keys, Home and End move between them.
+import { button, el } from '../dom.ts';
 import { shortNames } from './names.ts';
 
 export interface Tab {
@@ -31,20 +32,11 @@ function fill(button: HTMLElement, short: string, tab: Tab, chosen: boolean): vo
 }
 
 export function makeTabs(panel: HTMLElement, choose: (name: string) => void): Tabs {
-    const element = document.createElement('div');
-    element.className = 'editor-tabs';
-    element.setAttribute('role', 'tablist');
-    element.setAttribute('aria-label', 'Files');
+    const element = el('div', { class: 'editor-tabs', role: 'tablist', 'aria-label': 'Files' });
     let names: string[] = [];
     let before = '';
 
-    const make = (name: string) => {
-        const button = document.createElement('button');
-        button.setAttribute('role', 'tab');
-        button.setAttribute('aria-controls', panel.id);
-        button.addEventListener('click', () => choose(name));
-        return button;
-    };
+    const make = (name: string) => button('', () => choose(name), { role: 'tab', 'aria-controls': panel.id });
 
     element.addEventListener('keydown', (event) => {
         const at = [...element.children].indexOf(document.activeElement as Element);
@@ -69,8 +61,7 @@ export function makeTabs(panel: HTMLElement, choose: (name: string) => void): Ta
         names = wanted;
         const short = shortNames(names);
         tabs.forEach((tab, i) => {
-            const button = element.children[i] as HTMLElement;
-            fill(button, short.get(tab.name)!, tab, tab.name === chosen);
+            fill(element.children[i] as HTMLElement, short.get(tab.name)!, tab, tab.name === chosen);
         });
         if (chosen === before) return;
         before = chosen;

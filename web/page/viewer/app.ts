@@ -90,6 +90,8 @@ export class Page {
     private current: Problem[] = [];
     private lost = false;
     private dead = false;
+    // The folder that is opened next was open before a reload: the address has its values.
+    private returns = false;
     // The shaders of the text never end, so that it is not drawn: what says so.
     private endless: Problem | undefined;
     // What the author wants to be drawn all the same.
@@ -348,10 +350,15 @@ export class Page {
 
     // What differs from the scene, for the address. Undefined: there is no scene, or one that a link cannot lead to.
     private settings(): Settings | undefined {
-        if (this.lost || !this.session.shown || this.host?.scene !== this.contents?.data?.scene) return undefined;
+        if (this.lost || !this.session.shown || !this.addressed(this.host!.scene)) return undefined;
         const { engine, shown } = this.session;
         const time = shown.animated && !this.clock.playing && this.clock.time > 0 ? this.clock.time : undefined;
         return { values: engine.values(), rungs: engine.rungs(), ranges: this.session.ranges(), view: engine.view(), time, split: this.painter?.split };
+    }
+
+    // The page's own scene, or that of a folder, which is open again after a reload.
+    private addressed(scene: string): boolean {
+        return scene === this.contents?.data?.scene || this.host?.folder !== undefined;
     }
 
     // The address is another one: a link to the same page was followed.
@@ -365,8 +372,9 @@ export class Page {
     private open(scene: string, fragment: string): void {
         const { session, contents } = this;
         const own = scene === contents?.data?.scene ? contents.data : undefined;
+        const addressed = this.addressed(scene);
         const given = /^#?$/.test(fragment) ? undefined : fragment.replace(/^#initial$/, '#');
-        const { settings, refused } = readFragment(own ? (given ?? '') : '');
+        const { settings, refused } = readFragment(addressed ? (given ?? '') : '');
         const from = given === undefined && own ? { ...settings, values: own.values, rungs: own.rungs, view: own.view } : settings;
         const { values, rungs, view } = from;
         let opened = session.engine.open(scene, { values, rungs, view, fresh: true, lints: true });
@@ -440,7 +448,8 @@ export class Page {
         this.layout.link.hidden = true;
         this.layout.app.dataset.folder = String(folder !== undefined);
         this.layout.app.dataset.scenes = String([...files.keys()].filter(isScene).length > 1);
-        if (location.hash !== '') history.replaceState(null, '', location.href.replace(/#.*$/, ''));
+        if (location.hash !== '' && !this.returns) history.replaceState(null, '', location.href.replace(/#.*$/, ''));
+        this.returns = false;
         await this.openFiles(scene, files);
         this.makeEditor()?.opened();
         this.editor?.show(this.current);
@@ -502,7 +511,10 @@ export class Page {
     private async again(): Promise<void> {
         const id = stored(() => sessionStorage.getItem(folderKey));
         const kept = id ? (await all('folders')).find((each) => each.id === id) : undefined;
-        if (kept && (await kept.handle.queryPermission?.({ mode: 'read' })) === 'granted') this.editor?.openKept(kept);
+        if (kept && (await kept.handle.queryPermission?.({ mode: 'read' })) === 'granted') {
+            this.returns = true;
+            this.editor?.openKept(kept);
+        }
     }
 
     // Made when it is needed, or after the first picture.

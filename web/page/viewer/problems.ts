@@ -1,5 +1,5 @@
 // Errors and warnings below the picture; each leads to its place in the text.
-import { summary } from '../editor/problems.ts';
+import { problemItem, summary } from '../editor/problems.ts';
 import type { Place, Problem } from '../engine.ts';
 import { el } from '../dom.ts';
 
@@ -9,15 +9,6 @@ export interface Problems {
 }
 
 const most = 100;
-
-function makeItem({ severity, message, help, at }: Problem, goTo: (place: Place) => void): HTMLElement {
-    const place = at ? `${at.file}:${at.line}:${at.column}: ` : '';
-    const text = [el('strong', { class: severity }, `${place}${severity}: `), message];
-    const hint = help === '' ? [] : [el('span', { class: 'help' }, help)];
-    const item = el(at ? 'button' : 'div', at ? { type: 'button', class: 'problem' } : { class: 'problem' }, ...text, ...hint);
-    if (at) item.addEventListener('click', () => goTo(at));
-    return el('li', {}, item);
-}
 
 export function makeProblems(goTo: (place: Place) => void): Problems {
     const title = el('summary', {});
@@ -32,7 +23,7 @@ export function makeProblems(goTo: (place: Place) => void): Problems {
         // Errors are shown, warnings on request.
         details.open = errors;
         const sorted = [...problems].sort((a, b) => Number(b.severity === 'error') - Number(a.severity === 'error'));
-        list.replaceChildren(...sorted.slice(0, most).map((problem) => makeItem(problem, goTo)));
+        list.replaceChildren(...sorted.slice(0, most).map((problem) => problemItem(problem, goTo)));
         if (problems.length > most) list.append(el('li', { class: 'quiet' }, `${problems.length - most} more`));
     };
     return { element, show };

@@ -26,9 +26,12 @@ function stay(): void {
 
 // The server, or what is around the page, may forbid more than the page itself does.
 let forbidden = '';
-document.addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, originalPolicy }) => {
-    forbidden ||= ` The policy of this page's server forbids it (${effectiveDirective}, ${blockedURI}): '${originalPolicy}'.`;
-});
+
+function hearPolicies(): void {
+    document.addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, originalPolicy }) => {
+        forbidden ||= ` The policy of this page's server forbids it (${effectiveDirective}, ${blockedURI}): '${originalPolicy}'.`;
+    });
+}
 
 async function loadProgram(page: Page, source: string): Promise<Program> {
     const runtime = await readRuntime();
@@ -52,6 +55,7 @@ export async function start(source: string): Promise<void> {
     const page = new Page();
     // The data blocks stay: the editor's examples are read later.
     document.querySelector('main')!.replaceWith(page.element);
+    hearPolicies();
     stay();
     try {
         await load(page, source);

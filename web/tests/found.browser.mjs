@@ -1,0 +1,232 @@
+// What was found in pages: heavy and endless shaders, images and memory beyond limits, lost graphics, room for the text.
+import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { crc32, deflateSync } from 'node:zlib';
+import { builtPage, chromium, drawn, drop, openText, pageOf, press, run, shows, tab, temporaryFolder, until } from './harness/browser.mjs';
+
+const folder = temporaryFolder();
+const vertex = 'void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n';
+let browser;
+
+before(async () => void (browser = await chromium()));
+
+// Opens these files in the page without a scene.
+async function opened(files) {
+    const { page, said } = await tab(browser);
+    await page.goto(builtPage('snell.html'));
+    await page.waitForSelector('.editor-welcome li');
+    const into = join(folder, Object.keys(files)[0].replace('.', '-'));
+    mkdirSync(into, { recursive: true });
+    const paths = Object.entries(files).map(([name, bytes]) => (writeFileSync(join(into, name), bytes), join(into, name)));
+    await drop(page, ...paths);
+    return { page, said };
+}
+
+const program = (body) => ({ 'p.vert': vertex, 'p.frag': `uniform float uA;\nvoid main() {\n${body}\n}\n` });
+const scene = (name, more = '') => ({ [name]: `Vertex p.vert\nFragment p.frag\n${more}Program P uA <1. 2. 10.>\nSphere 1 20 20\n` });
+const retype = async (page, file, text) => {
+    await openText(page);
+    await page.evaluate((name) => [...document.querySelectorAll('.editor-tabs button')].find((each) => each.title.endsWith(name)).click(), file);
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    for (const key of ['KeyA', 'Backspace']) {
+        if (key === 'KeyA') await page.keyboard.down('Control');
+        await page.keyboard.press(key);
+        await page.keyboard.up('Control');
+    }
+    await page.keyboard.sendCharacter(text);
+};
+
+test('shaders that never end are not drawn unless the author wants it, and are after an edit', async () => {
+    const { page } = await opened({ ...scene('e.glib'), ...program('float x = 0.;\nwhile (true) x += uA;\ngl_FragColor = vec4(x);') });
+    await until(page, () => /p\.frag:4: .*for ever/.test(document.querySelector('.cover').textContent));
+    assert.ok(await page.evaluate(() => [...document.querySelectorAll('.cover button')].some((each) => each.textContent === 'Draw it all the same')));
+    await retype(page, 'p.frag', 'void main() { gl_FragColor = vec4(1.); }\n');
+    await drawn(page);
+    await page.close();
+});
+
+test('where a small picture takes seconds, the page asks before it goes on', async () => {
+    const body = 'float x = gl_FragCoord.x;\nfor (int i = 0; i < 40000; ++i) x = fract(sin(x + uA) * 43758.5);\ngl_FragColor = vec4(x);';
+    const { page } = await opened({ ...scene('h.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), ...program(body) });
+    await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
+    assert.match(await page.$eval('dialog[open]', ({ textContent }) => textContent), /1\/4 of the width and height took \d/);
+    await press(page, 'Keep it small', 'dialog[open]');
+    await until(page, () => /coarser/.test(document.querySelector('.status span').textContent));
+    await openText(page);
+    await page.close();
+});
+
+// A grey PNG image.
+function png(width, height) {
+    const chunk = (kind, data) => {
+        const body = Buffer.concat([Buffer.from(kind), data]);
+        const size = Buffer.alloc(4);
+        size.writeUInt32BE(data.length);
+        const sum = Buffer.alloc(4);
+        sum.writeUInt32BE(crc32 ? crc32(body) : 0);
+        return Buffer.concat([size, body, sum]);
+    };
+    const header = Buffer.alloc(13);
+    header.writeUInt32BE(width, 0);
+    header.writeUInt32BE(height, 4);
+    header.set([8, 0, 0, 0, 0], 8);
+    const pixels = deflateSync(Buffer.alloc((width + 1) * height, 0));
+    return Buffer.concat([Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]), chunk('IHDR', header), chunk('IDAT', pixels), chunk('IEND', Buffer.alloc(0))]);
+}
+
+test('an image beyond the limit is refused with its name and numbers, and the editor goes on', async () => {
+    const files = {
+        'i.glib': scene('i.glib', 'Texture2D 5 wide.png\n')['i.glib'].replace('10.>', '10.> uS 5'),
+        'p.vert': vertex,
+        'p.frag': 'uniform float uA;\nuniform sampler2D uS;\nvoid main() { gl_FragColor = uA * texture2D(uS, vec2(.5)); }\n',
+        'wide.png': png(40_000, 2),
+    };
+    const { page, said } = await opened(files);
+    await until(page, () => [...document.querySelectorAll('.problem')].some((each) => /wide\.png/.test(each.textContent) && /40000 x 2 texels exceed the limit of \d+/.test(each.textContent)));
+    await retype(page, 'i.glib', scene('i.glib')['i.glib']);
+    await drawn(page);
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test('after the memory has run out, the editor goes on, and the next edit starts the program again', async () => {
+    const { page } = await tab(browser);
+    await page.evaluateOnNewDocument(() => {
+        const grow = WebAssembly.Memory.prototype.grow;
+        WebAssembly.Memory.prototype.grow = function (...pages) {
+            if (window.full) throw new RangeError('no memory');
+            return grow.apply(this, pages);
+        };
+    });
+    await shows(page, await pageOf(folder, 'tests/cases/Sphere.glib'));
+    await page.evaluate(() => void (window.full = true));
+    const text = '##OpenGL GLIB\nSphere 1 RINGS RINGS\n';
+    await retype(page, 'Sphere.glib', text.replaceAll('RINGS', '2000'));
+    await until(page, () => /The program that draws has ended\..*memory/.test(document.querySelector('.cover').textContent));
+    await page.evaluate(() => void (window.full = false));
+    await retype(page, 'Sphere.glib', text.replaceAll('RINGS', '20'));
+    await drawn(page);
+    await page.close();
+});
+
+test('lost graphics leave the address as it was; what was said of them ends with the next change', async () => {
+    const { page } = await opened({ ...scene('l.glib'), ...program('gl_FragColor = vec4(.1 * uA);') });
+    await drawn(page);
+    await page.close();
+    const { page: own } = await tab(browser);
+    await shows(own, `${await pageOf(folder, 'scenes/light/metals/metals.glib')}#view=rotate_y=30`);
+    const lose = (name) => own.evaluate((name) => {
+        window.context ??= document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+        window.context[name]();
+    }, name);
+    await lose('loseContext');
+    await own.evaluate(() => window.dispatchEvent(new Event('resize')));
+    await own.keyboard.press('ArrowLeft');
+    await new Promise((resolve) => setTimeout(resolve, 700));
+    assert.match(await own.evaluate(() => location.hash), /view=rotate_y=30/);
+    await lose('restoreContext');
+    await until(own, () => document.querySelector('.message').textContent === 'The graphics are back.');
+    await own.focus('canvas');
+    await own.keyboard.press('ArrowLeft');
+    await until(own, () => document.querySelector('.message').textContent === '');
+    await own.close();
+});
+
+test('graphics that were lost while a picture was drawn come back when the author wants it', async () => {
+    const { page } = await tab(browser);
+    await page.evaluateOnNewDocument(() => {
+        // A picture that is never finished.
+        const ask = WebGL2RenderingContext.prototype.getSyncParameter;
+        WebGL2RenderingContext.prototype.getSyncParameter = function (...values) {
+            return window.stuck ? 0 : ask.apply(this, values);
+        };
+    });
+    await shows(page, await pageOf(folder, 'tests/cases/Cone.glib'));
+    await page.evaluate(() => void (window.stuck = true));
+    await page.focus('canvas');
+    await page.keyboard.press('ArrowLeft');
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    await page.evaluate(async () => {
+        const context = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+        context.loseContext();
+        await new Promise((resolve) => setTimeout(resolve, 200));
+        context.restoreContext();
+    });
+    await page.waitForSelector('dialog[open][aria-label="The graphics are back"]');
+    await page.evaluate(() => void (window.stuck = false));
+    await press(page, 'Draw it small', 'dialog[open]');
+    await drawn(page);
+    await page.close();
+});
+
+test('pages of a gallery name folders where names repeat, and lead to the others', async () => {
+    for (const [name, colour] of [['ann', '1.'], ['bob', '.5']]) {
+        mkdirSync(join(folder, 'class', name), { recursive: true });
+        writeFileSync(join(folder, 'class', name, 'ball.glib'), `##OpenGL GLIB\nColor ${colour} 0. 0.\nSphere 1\n`);
+    }
+    await run(['web', '--gallery', join(folder, 'class'), '-o', join(folder, 'gallery')]);
+    const { page, said } = await tab(browser, { width: 390, height: 844 });
+    await page.goto(pathToFileURL(join(folder, 'gallery/index.html')).href);
+    const boxes = await page.$$eval('li', (all) => all.map((each) => each.getBoundingClientRect().top));
+    assert.equal(boxes[0], boxes[1], 'two columns on a phone');
+    await page.click('li a');
+    await drawn(page);
+    const nav = () => page.$$eval('.gallery a', (all) => all.map(({ textContent, title }) => `${textContent} ${title}`.trim()));
+    assert.equal(await page.title(), 'ann/ball');
+    assert.deepEqual(await nav(), ['All scenes', 'Next › bob/ball']);
+    await page.click('.gallery a:last-child');
+    await until(page, () => document.title === 'bob/ball');
+    await drawn(page);
+    assert.deepEqual(await nav(), ['All scenes', '‹ Previous ann/ball']);
+    await page.click('.gallery a');
+    await until(page, () => document.title === 'Scenes');
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test('a laptop shows enough text and wide sliders; the divider moves; a phone shows the title', async () => {
+    const { page } = await tab(browser, { width: 1366, height: 640 });
+    const address = await pageOf(folder, 'scenes/refraction-room/refraction-room.glib');
+    await shows(page, address);
+    await openText(page);
+    const lines = () => page.$eval('.editor-code', ({ shadowRoot, clientHeight }) => Math.floor(clientHeight / shadowRoot.querySelector('.cm-line').offsetHeight));
+    const before = await lines();
+    assert.ok(before >= 13, `${before} lines`);
+    assert.equal(await page.$eval('.editor-fine-print', ({ open }) => open), false);
+    const slider = await page.$eval('.row.slider input', ({ clientWidth }) => clientWidth);
+    assert.ok(slider >= 160, `${slider} pixels`);
+    await page.focus('.grip');
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('ArrowUp');
+    const more = await lines();
+    assert.ok(more >= before + 3, `${more} lines`);
+    const { x, y, width, height } = await (await page.$('.grip')).boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2, y + 120, { steps: 4 });
+    await page.mouse.up();
+    const fewer = await lines();
+    assert.ok(fewer < more - 3, `${fewer} lines`);
+    await page.reload();
+    await drawn(page);
+    await openText(page);
+    assert.equal(await lines(), fewer, 'it stays for other visits');
+    await page.setViewport({ width: 390, height: 844 });
+    const title = await page.$eval('h1', (each) => ({ text: each.textContent, height: each.getBoundingClientRect().height, seen: each.checkVisibility({ opacityProperty: true }) }));
+    assert.deepEqual([title.text, title.seen, title.height > 15], ['refraction-room', true, true]);
+    await page.evaluate(() => localStorage.clear());
+    await page.close();
+});
+
+test('mistakes of types name both, and a surplus brace the block before it', async () => {
+    for (const [body, said] of [['vec3 v = vec2(uA);\ngl_FragColor = vec4(v, 1.);', /a 'vec2' cannot be assigned to a 'vec3'/], ['float x;\nx = vec3(uA);\ngl_FragColor = vec4(x);', /a 'vec3' cannot be assigned to a 'float'/]]) {
+        const { page } = await opened({ ...scene('t.glib'), ...program(body) });
+        await until(page, (text) => new RegExp(text).test(document.querySelector('.problems').textContent), said.source);
+        await page.close();
+    }
+    const { page } = await opened({ ...scene('b.glib'), ...program('gl_FragColor = vec4(uA);\n} }') });
+    await until(page, () => /the '}' before this one ends the block from here/.test(document.body.textContent));
+    await page.close();
+});
