@@ -119,5 +119,46 @@ TEST_F(States, OfTheTextAreThereToo) {
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 
+// For README: the index of water beside that of diamond, while the view turns.
+class RoomStates : public Desk {
+protected:
+    RoomStates() : Desk("1280x720x24") {}
+};
+
+TEST_F(RoomStates, WaterBesideDiamondTurnsAsOne) {
+    std::filesystem::create_directory_symlink(SNELL_ROOT "/scenes", file("scenes"));
+    open("scenes/refraction-room/refraction-room.glib", {"--size", "1280x720"});
+    user("key s");
+    settle();
+    for (const std::string side : {"left", "right"}) {
+        click("accuracy." + side);
+        click(side + ".settings");
+        user(std::string("type --delay 8 uIndex=") + (side == "left" ? "1.33" : "2.42"));
+        user("key Return");
+        settle();
+    }
+    EXPECT_EQ(state()["states"][0], "uIndex 1.33");
+    EXPECT_EQ(state()["states"][1], "2.42");
+    user("mousemove 5 5");
+    settle();
+    const Picture before = look();
+    drag({200, 200}, {290, 220});
+    EXPECT_TRUE(wait([](const json& s) { return s["grain"] == 0; }));
+    user("mousemove 5 5");
+    settle();
+    const Picture after = look();
+    const std::array<double, 4> area = state()["scene"];
+    const auto changed = [&](double from, double to) {
+        int count = 0;
+        for (double x = area[2] * from; x < area[2] * to; x += 7)
+            for (double y = 9; y < area[3] * .8; y += 7) count += !(before.at(x, y) == after.at(x, y));
+        return count;
+    };
+    EXPECT_GT(changed(0, .48), 500);
+    EXPECT_GT(changed(.52, 1), 500) << "both are live";
+    keep("guide-states-window");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
 }  // namespace
 }  // namespace snell::test
