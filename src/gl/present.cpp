@@ -1,5 +1,7 @@
 #include "src/gl/present.h"
 
+#include <algorithm>
+
 #include "src/gl/driver.h"
 #include "src/gl/program.h"
 #include "src/gl/texture.h"
@@ -9,13 +11,20 @@ namespace snell::gl {
 namespace {
 
 // The scissor test is disabled because it clips blits and clears too.
-void copy(const Target& from, GLuint to, int x, int y, int width, int height) {
+void clip(int x, int y, int width, int height, int first) {
+    if (first <= 0) return glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(x + first, y, std::max(0, width - first), height);
+}
+
+void copy(const Target& from, GLuint to, int x, int y, int width, int height, int first = 0) {
     const bool enlarged = width != from.width || height != from.height;
-    glDisable(GL_SCISSOR_TEST);
+    clip(x, y, width, height, first);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
     glBlitFramebuffer(0, 0, from.width, from.height, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT,
                       enlarged ? GL_LINEAR : GL_NEAREST);
+    glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
@@ -54,16 +63,18 @@ bool Canvas::make_light(int width, int height) {
     return resolved_.framebuffer && encode_;
 }
 
-void Canvas::encode(int x, int y, int width, int height, GLuint to) const {
+void Canvas::encode(int x, int y, int width, int height, GLuint to, int first) const {
     const auto f = [](int value) { return static_cast<float>(value); };
     glBindFramebuffer(GL_FRAMEBUFFER, to);
     glViewport(x, y, width, height);
-    for (const GLenum test : {GL_DEPTH_TEST, GL_SCISSOR_TEST, GL_CULL_FACE, GL_BLEND}) glDisable(test);
+    for (const GLenum test : {GL_DEPTH_TEST, GL_CULL_FACE, GL_BLEND}) glDisable(test);
+    clip(x, y, width, height, first);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glUseProgram(encode_.get());
     glUniform1i(glGetUniformLocation(encode_.get(), "light"), 0);
     glUniform4f(glGetUniformLocation(encode_.get(), "place"), f(x), f(y), f(width), f(height));
     draw_covering(light_.get(), nothing_.get());
+    glDisable(GL_SCISSOR_TEST);
     glUseProgram(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
@@ -81,12 +92,12 @@ std::vector<std::byte> Canvas::read() const {
     return read_rgba8(shown.framebuffer.get(), shown.width, shown.height, 1, pixels_);
 }
 
-void Canvas::show(int x, int y, int width, int height, GLuint to) const {
+void Canvas::show(int x, int y, int width, int height, GLuint to, int first) const {
     const Target& shown = resolved_.framebuffer ? resolved_ : drawn_;
     if (light_)
-        encode(x, y, width, height, to);
+        encode(x, y, width, height, to, first);
     else if (shown.framebuffer)
-        copy(shown, to, x, y, width, height);
+        copy(shown, to, x, y, width, height, first);
 }
 
 void clear_window(int width, int height, float red, float green, float blue) {

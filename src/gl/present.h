@@ -25,8 +25,8 @@ public:
     // Reads the resolved picture: RGBA bytes, top row first.
     std::vector<std::byte> read() const;
     // Copies the resolved picture into a framebuffer of bytes, the default one if none is named, with its bottom left
-    // corner at pixel (x, y), enlarged to the size in pixels.
-    void show(int x, int y, int width, int height, GLuint to = 0) const;
+    // corner at pixel (x, y), enlarged to the size in pixels. `first`: without the columns before it.
+    void show(int x, int y, int width, int height, GLuint to = 0, int first = 0) const;
 
 private:
     int wanted_ = 0;
@@ -39,7 +39,7 @@ private:
     VertexArray nothing_;
 
     bool make_light(int width, int height);
-    void encode(int x, int y, int width, int height, GLuint to) const;
+    void encode(int x, int y, int width, int height, GLuint to, int first) const;
 };
 
 // Fills the default framebuffer with one colour and leaves it bound, so that overlays can be drawn.

@@ -32,6 +32,7 @@ std::span<const KeyRow> key_rows() {
         {"H", "hide or show everything but the picture"},
         {"F11", "full screen"},
         {"A", "show or close Accuracy"},
+        {"S", "show two states side by side, or one picture"},
         {"Ctrl +, Ctrl - and Ctrl 0", "larger, smaller, default text size"},
         {"F1", "show this list"},
         {"Tab; with Shift", "go to the next value; to the previous one", "Values"},

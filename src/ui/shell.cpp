@@ -175,6 +175,8 @@ void view_menu(const Facts& facts, View& view, Memory& memory, Requests& request
             memory.labels = !memory.labels;
         if (item({"Pick objects", "P", "pick", true, memory.hold.picking}, layout)) switch_picking(memory.hold);
         projection_item(*facts.scene, view, layout);
+        const bool split = memory.accuracy.show != AccuracyMemory::Show::picture;
+        if (item({"Two states side by side", "S", "split", true, split}, layout)) switch_split(memory.accuracy);
         ImGui::Separator();
     }
     requests.full_screen |= item({"Full screen", "F11", "full screen", true, facts.full_screen}, layout);
@@ -366,6 +368,7 @@ void keys(const Facts& facts, View& view, Memory& memory, Requests& requests) {
         if (facts.scene) view_keys(view, memory.hold);
     }
     if (facts.scene && pressed(Key::a)) switch_accuracy(memory);
+    if (facts.scene && pressed(Key::s) && !ImGui::GetIO().KeyCtrl) switch_split(memory.accuracy);
 }
 
 // Shows for a moment how the panel comes back.
@@ -419,8 +422,9 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     notices(facts, parts.scene, memory, requests, layout);
     if (no_scene_open(facts) && !memory.browser.open && no_scene(parts.scene, layout))
         open_browser({}, memory, requests);
-    if (facts.accuracy && facts.accuracy->note.empty() && memory.accuracy.show == AccuracyMemory::Show::split)
-        accuracy_divider(facts, controls, parts.scene, memory.accuracy, layout);
+    if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
+        accuracy_divider(parts.scene, memory.accuracy, layout);
+    state_bar(facts, parts.scene, memory.accuracy, layout);
     pixel_keys(parts.scene, memory.pixels);
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     texel_inspector(facts, memory.textures, fonts, layout);

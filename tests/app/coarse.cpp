@@ -55,6 +55,25 @@ TEST_F(Dragged, SlowPicturesBecomeCoarserAndSharpAgainAfterTheLastMove) {
     EXPECT_EQ(step(true), 2) << "the next drag begins where the last one ended";
 }
 
+TEST_F(Dragged, TheReleaseIsSharpAtOnce) {
+    opened();
+    for (int i = 0; i < 20; ++i) step(true);
+    ASSERT_GT(last, 0);
+    ASSERT_GT(coarseness.due(), now);
+    coarseness.released();
+    EXPECT_LE(coarseness.due(), now);
+    EXPECT_EQ(step(false, false), 0);
+    EXPECT_EQ(step(true), 2) << "the next drag begins where the last one ended";
+}
+
+TEST_F(Dragged, WhatIsBesideCountsToo) {
+    sharp_ms = 20;
+    opened();
+    EXPECT_EQ(step(true), 0);
+    coarseness.drew_beside(20);
+    EXPECT_GT(step(true), 0) << "two pictures of 20 ms";
+}
+
 TEST_F(Dragged, FastPicturesStaySharp) {
     sharp_ms = 20;
     opened();

@@ -1,6 +1,10 @@
 // The listing of the file browser, and what a window remembers from run to run.
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
+
+#include <fmt/format.h>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -127,23 +131,27 @@ TEST(Settings, PathsThatJsonCannotHoldAreNotRecent) {
     EXPECT_EQ(recent, (std::vector<std::string>{"/scenes/\xc3\xa4.glib", "/scenes/one.glib"}));
 }
 
-TEST(Thumbnails, AreThoseOfRecentScenesAndDamageIsNone) {
+TEST(Thumbnails, AreThoseThatWereMadeLastAndDamageIsNone) {
     const Scratch scratch;
     const std::string folder = scratch.path("cache/thumbnails");
     content::Image picture{.width = 160, .height = 90, .channels = 3};
     picture.pixels.assign(picture.bytes(), std::byte{200});
     EXPECT_FALSE(read_thumbnail(folder, "/a.glib"));
-    keep_thumbnail(folder, "/a.glib", picture, {"/a.glib"});
-    keep_thumbnail(folder, "/b.glib", picture, {"/b.glib", "/a.glib"});
+    keep_thumbnail(folder, "/a.glib", picture);
+    keep_thumbnail(folder, "/b.glib", picture);
     const std::optional<content::Image> read = read_thumbnail(folder, "/a.glib");
     ASSERT_TRUE(read);
     EXPECT_EQ(read->width, 160);
     EXPECT_EQ(read->height, 90);
     EXPECT_EQ(read->channels, 4);
     EXPECT_EQ(read->pixels[0], std::byte{200});
-    // Only recent scenes have one, and other files are not ours.
+    // The oldest of many go, and other files are not ours.
     scratch.write("cache/thumbnails/notes.txt", "mine");
-    keep_thumbnail(folder, "/c.glib", picture, {"/c.glib", "/b.glib"});
+    const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(48);
+    std::filesystem::last_write_time(thumbnail_file(folder, "/a.glib"), old);
+    for (std::size_t i = 0; i + 2 < most_thumbnails; ++i) scratch.write(fmt::format("cache/thumbnails/{}.png", i), "");
+    EXPECT_TRUE(read_thumbnail(folder, "/a.glib"));
+    keep_thumbnail(folder, "/c.glib", picture);
     EXPECT_FALSE(read_thumbnail(folder, "/a.glib"));
     EXPECT_TRUE(read_thumbnail(folder, "/b.glib"));
     EXPECT_TRUE(std::filesystem::exists(folder + "/notes.txt"));
@@ -158,8 +166,8 @@ TEST(Thumbnails, AreThoseOfRecentScenesAndDamageIsNone) {
     std::filesystem::remove(file);
     mkfifo(file.c_str(), 0600);
     EXPECT_FALSE(read_thumbnail(folder, "/b.glib")) << "nor is a pipe waited for";
-    keep_thumbnail("", "/a.glib", picture, {});  // without a home
-    keep_thumbnail("/proc/none", "/a.glib", picture, {});
+    keep_thumbnail("", "/a.glib", picture);  // without a home
+    keep_thumbnail("/proc/none", "/a.glib", picture);
 }
 
 TEST(WindowSettings, ComeBack) {
@@ -171,6 +179,7 @@ TEST(WindowSettings, ComeBack) {
     settings.zoom = 1.5;
     settings.panel_width = 30;
     settings.tools = true;
+    settings.editor = "code -n";
     settings.open = {"Costs", "Files"};
     settings.width = 1024;
     settings.height = 768;

@@ -176,6 +176,29 @@ TEST_F(Compare, ScenesAreDrawn) {
     EXPECT_EQ(compare("broken.glib p.png").status, 1);
 }
 
+TEST_F(Compare, TwoStatesOfASceneAreNamed) {
+    folder.write("s.glib",
+                 "Vertex s.vert\nFragment s.frag\nLadder TINT dark <light>\nProgram P uRed <0 .2 1>\nQuadXY 0 1 2 2\n");
+    folder.write("s.vert", "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
+    folder.write("s.frag",
+                 "#version 330 compatibility\nuniform float uRed;\n"
+                 "void main() { gl_FragColor = vec4(uRed, 0., float(TINT) * .4, 1.); }\n");
+    folder.write("s.snapshots.json", R"({"1": {"options": "--ladder TINT=dark\n--set P.uRed=0.2"}})");
+    const auto rmse = [&](const std::string& a, const std::string& b) {
+        const json pair = figures("s.glib --set '" + a + "' --set '" + b + "' --size 16x16");
+        EXPECT_EQ(pair["picture"], "s.glib (" + a + ")");
+        return pair["display"]["rmse"].get<double>();
+    };
+    // Of three channels, each off by so much.
+    const double red = .4 / std::sqrt(3), blue = .4 / std::sqrt(3);
+    EXPECT_NEAR(rmse("uRed=.6", "saved"), red, .003);
+    EXPECT_NEAR(rmse("P.uRed=.6 TINT=dark", "reference"), std::hypot(red, blue), .003);
+    EXPECT_NEAR(rmse("snapshot 1", "saved"), blue, .003);
+    EXPECT_EQ(rmse("snapshot 1", "TINT=dark"), 0);
+    for (const char* wrong : {"--set saved", "--set saved --set nonsense", "--set saved --set 'snapshot 2'", ""})
+        EXPECT_EQ(compare(std::string("s.glib ") + wrong).status, 2) << wrong;
+}
+
 TEST_F(Compare, TransparencyCounts) {
     const auto png = [&](const std::string& name, std::array<int, 4> left, std::array<int, 4> right) {
         content::Image image;

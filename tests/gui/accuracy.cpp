@@ -163,11 +163,12 @@ TEST_F(LadderWindow, TheReferenceBesideThePictureAndWhereTheyDiffer) {
 
     click("accuracy.Heat map", .2);
     refined();
-    const Pixel hot = scene_pixel(20, 20), cold = scene_pixel(0, static_cast<int>(area[3] / 2) - 10);
+    const Pixel hot = scene_pixel(20, 20), cold = scene_pixel(0, 10 - static_cast<int>(area[3] / 2));
     EXPECT_GT(hot.red, 200) << "off by .29";
     EXPECT_LT(cold.red + cold.green + cold.blue, 20) << "no difference";
 
     click("accuracy");  // closed
+    user("key s");
     ASSERT_TRUE(wait([](const json& s) { return !s.contains("accuracy"); }));
     settle();
     expect_red(scene_pixel(90, 20), .8);

@@ -339,7 +339,7 @@ void Desk::type(const std::string& widget, const std::string& text, Field field)
     settle();
     user("key ctrl+a");
     user("type --delay 8 " + text);
-    user("key Return");
+    if (field != Field::unconfirmed) user("key Return");
     settle();
 }
 

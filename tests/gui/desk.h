@@ -70,8 +70,9 @@ protected:
     void click(const std::string& widget, double fraction = .5, int button = 1) const;
     // An entry of one of the toolbar's menus: "open", "save" or "view".
     void choose(const std::string& menu, const std::string& item) const;
-    // Instead of the whole text that stands there. A number's field opens with two clicks.
-    enum class Field { text, number };
+    // Instead of the whole text that stands there, with Enter unless it is unconfirmed. A number's field opens with two
+    // clicks.
+    enum class Field { text, number, unconfirmed };
     void type(const std::string& widget, const std::string& text, Field field) const;
     void drag(std::array<int, 2> from, std::array<int, 2> to, int button = 1) const;
     Picture look() const;

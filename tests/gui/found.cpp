@@ -232,7 +232,7 @@ TEST_F(FoundWindow, TheSplitShowsTheSceneBesideTheRung) {
     const Pixel beside = scene_pixel(40, 20);
     EXPECT_NEAR(beside.red, right.red, 1);
     EXPECT_NEAR(beside.green, right.green, 1);
-    user("key a");  // closed, and with it the showing
+    user("key s key a");  // closed, and with it the showing
     away();
     EXPECT_EQ(scene_now(), before);
     EXPECT_FALSE(state().contains("found"));

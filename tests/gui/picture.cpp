@@ -37,7 +37,7 @@ TEST_F(SavedPicture, LargerThanTheWindowItIsWhatTheCommandDraws) {
     drag(on("Paint.uRed", .2), on("Paint.uRed", .7));
     drag({150, 200}, {220, 230});
     choose("save", "picture");
-    type("picture file", file("big.png"), Field::text);
+    type("picture file", file("big.png"), Field::unconfirmed);
     type("picture width", "2200", Field::number);
     type("picture height", "900", Field::number);
     keep_screen("guide-picture.png", "640x480+0+0");
@@ -67,14 +67,14 @@ TEST_F(SavedPicture, WhatIsThereIsReplacedOnlyWhenAsked) {
     open("scene.glib", {"--size", "640x480"});
     save("there.png", "old");
     choose("save", "picture");
-    type("picture file", file("there.png"), Field::text);
+    type("picture file", file("there.png"), Field::unconfirmed);
     click("picture save");
     EXPECT_EQ(bytes("there.png"), "old");
     click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved there.png", 0) == 0; }));
     EXPECT_NE(bytes("there.png"), "old");
     choose("save", "picture");
-    type("picture file", file("nowhere/x.png"), Field::text);
+    type("picture file", file("nowhere/x.png"), Field::unconfirmed);
     click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture error"); }));
     EXPECT_TRUE(alive());
@@ -88,7 +88,7 @@ TEST_F(SavedPicture, WhatTheSceneReadsIsNotReplaced) {
     save("scene.glib", scene);
     open("scene.glib", {"--size", "640x480"});
     choose("save", "picture");
-    type("picture file", file("paint.png"), Field::text);
+    type("picture file", file("paint.png"), Field::unconfirmed);
     for (int again = 0; again < 2; ++again) click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture error"); }));
     EXPECT_EQ(bytes("paint.png"), shader);
@@ -100,7 +100,7 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
     open("scene.glib", {"--size", "640x480"});
     user("key space");  // the scene's own time stands
     choose("save", "picture");
-    type("picture file", file("f.png"), Field::text);
+    type("picture file", file("f.png"), Field::unconfirmed);
     click("picture sequence");
     type("picture from", ".125", Field::number);
     type("picture to", ".5", Field::number);
@@ -147,7 +147,7 @@ TEST_F(SavedPicture, ASequenceShowsOnePeriodOfAnAnimatedSlider) {
     EXPECT_FALSE(state()["widgets"].contains("picture from")) << "one picture was asked for";
     user("key Escape");
     choose("save", "sequence");
-    type("picture file", file("f.png"), Field::text);
+    type("picture file", file("f.png"), Field::unconfirmed);
     type("picture rate", "4", Field::number);
     click("picture save");
     ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved 8 pictures", 0) == 0; }))

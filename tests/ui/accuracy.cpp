@@ -27,6 +27,8 @@ protected:
         facts_.accuracy = &values_;
     }
 
+    StateFacts states_{{{"now", "now"}, {"saved", "as saved"}},
+                       {{{"now", "now: uIndex 1.33"}, {"saved", "as saved: 2.4"}}}};
     AccuracyFacts values_;
 };
 
@@ -88,6 +90,7 @@ TEST_F(AccuracyPanel, WithoutAReferenceThereIsNothingToMeasure) {
 TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
     open();
     memory_.accuracy.show = AccuracyMemory::Show::split;
+    facts_.states = &states_;
     const Rect divider = place("accuracy.divider"), scene = memory_.scene;
     EXPECT_NEAR(divider.x + divider.width / 2, scene.x + scene.width / 2, 1);
     frame({move(divider.x + divider.width / 2, 300)});
@@ -97,10 +100,13 @@ TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
     frame({button(false)});
     EXPECT_NEAR(memory_.accuracy.divider, .25, .01);
     EXPECT_EQ(view_.scene, Transformation{});
-    values_.note = "The files have errors.";
-    EXPECT_FALSE(has("accuracy.divider")) << "what is behind it is no reference";
-    values_.note.clear();
-    EXPECT_TRUE(has("accuracy.divider"));
+    // Escape restores where it was.
+    frame({move(scene.x + scene.width * .25, 330)});
+    frame({button(true)});
+    frame({move(scene.x + scene.width * .7, 330)});
+    frame({key(Key::escape, true)});
+    frame({key(Key::escape, false), button(false)});
+    EXPECT_NEAR(memory_.accuracy.divider, .25, .01);
     memory_.accuracy.show = AccuracyMemory::Show::picture;
     EXPECT_FALSE(has("accuracy.divider"));
 }
@@ -146,27 +152,43 @@ TEST_F(AccuracyPanel, PlotsTheLadderThatWasChangedLast) {
     EXPECT_EQ(memory_.accuracy.ladder, 1U) << "changed while the panel was closed";
 }
 
-TEST_F(AccuracyPanel, TheSplitNamesTheRungsThatDiffer) {
-    std::vector<Ladder> ladders = scene_.ladders;
-    EXPECT_EQ(split_text(ladders, {1}), (std::pair<std::string, std::string>("FRESNEL: schlick", "exact")));
-    EXPECT_EQ(split_text(ladders, {2}), (std::pair<std::string, std::string>("reference", "reference")));
-    ladders.push_back(ladders[0]);
-    ladders[1].name = "BEND";
-    ladders[1].rungs = {"single", "bounces"};
-    EXPECT_EQ(split_text(ladders, {2, 0}), (std::pair<std::string, std::string>("BEND: single", "bounces")));
-    EXPECT_EQ(split_text(ladders, {0, 0}),
-              (std::pair<std::string, std::string>("FRESNEL: f0, BEND: single", "exact, bounces")));
-    // On the picture, on their side of the divider, whole or shortened.
-    open();
-    memory_.accuracy.show = AccuracyMemory::Show::split;
-    for (const float at : {.2F, .5F, .8F}) {
+TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
+    EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::picture);
+    frame({key(Key::s, true)});
+    frame({key(Key::s, false)});
+    EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::split) << "without the panel, too";
+    facts_.states = &states_;
+    for (const float at : {.02F, .2F, .5F, .98F}) {
         memory_.accuracy.divider = at;
         const Rect left = place("accuracy.left"), right = place("accuracy.right");
         EXPECT_GE(left.x, 0);
-        EXPECT_LT(left.x + left.width, memory_.scene.width * at);
-        EXPECT_GT(right.x, memory_.scene.width * at);
+        EXPECT_LT(left.x + left.width, right.x);
         EXPECT_LE(right.x + right.width, memory_.scene.width);
     }
+    click(place("accuracy.right"));
+    click(place("right.saved"));
+    EXPECT_EQ(memory_.accuracy.right, "saved");
+    click(place("accuracy.left"));
+    click(place("left.settings"));
+    std::vector<Event> letters;
+    for (const char c : std::string("uIndex=2.4"))
+        letters.push_back({.kind = Event::Kind::text, .text = static_cast<char32_t>(c)});
+    frame(letters);
+    frame({key(Key::enter, true)});
+    frame({key(Key::enter, false)});
+    EXPECT_EQ(memory_.accuracy.left, "uIndex=2.4");
+    states_.sides[0].name = memory_.accuracy.left;
+    states_.sides[1].name = memory_.accuracy.right;
+    click(place("accuracy.swap"));
+    EXPECT_EQ(memory_.accuracy.left, "saved");
+    EXPECT_EQ(memory_.accuracy.right, "uIndex=2.4");
+    click(place("accuracy.other"));
+    EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::heat);
+    EXPECT_TRUE(has("accuracy.left")) << "of the same two";
+    click(place("accuracy.other"));
+    EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::split);
+    frame({key(Key::s, true)});
+    EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::picture);
 }
 
 TEST_F(AccuracyPanel, ColumnsAreHeaded) {

@@ -177,9 +177,7 @@ TEST_F(FoundPanel, TheSplitNamesTheRungAndTheScene) {
     found_.shown = "1";
     EXPECT_FALSE(has("accuracy.plot")) << "there is no ladder";
     click(place("accuracy.Split"), MouseButton::left, .2);
-    EXPECT_TRUE(has("accuracy.divider"));
-    EXPECT_TRUE(has("accuracy.left"));
-    EXPECT_TRUE(has("accuracy.right"));
+    EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::split);
     EXPECT_EQ(found_text(found_), "found rung 1");
     found_.shown = "1+2";
     EXPECT_EQ(found_text(found_), "found rungs 1+2");

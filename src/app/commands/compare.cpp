@@ -17,6 +17,7 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
+#include "src/app/open/states.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
 #include "src/content/regular_file.h"
@@ -41,6 +42,8 @@ struct CompareOptions {
     bool displayed = false;
     double timeout = 20;
     ScenePicture scene;
+    std::optional<ScenePicture> other;  // of the reference, where two states of one scene are compared
+    std::array<std::string, 2> states;  // their names
 };
 
 // A difference of displayed values, such as ".03" or "8/255".
@@ -61,10 +64,11 @@ class Pictures {
 public:
     explicit Pictures(const CompareOptions& options) : options_(options), deadline_(options.timeout) {}
 
-    // Scenes are drawn in the size that is given. Prints why there is no picture.
-    std::optional<Picture> of(const std::string& path, std::optional<std::pair<int, int>> size) {
+    // Scenes are drawn in the size that is given, with the values of `state`. Prints why there is no picture.
+    std::optional<Picture> of(const std::string& path, std::optional<std::pair<int, int>> size,
+                              const ScenePicture& state) {
         deadline_.begin(fmt::format("reading '{}'", path));
-        const content::ImageResult read_image = has_extension(path, "glib") ? drawn(path, size) : read(path);
+        const content::ImageResult read_image = has_extension(path, "glib") ? drawn(path, size, state) : read(path);
         deadline_.rest();
         if (!read_image.image) return std::nullopt;
         const content::Image& image = *read_image.image;
@@ -90,13 +94,12 @@ private:
             picture.rgba[4 * (from_top * width + pixel % width) + c] = std::numeric_limits<float>::quiet_NaN();
     }
 
-    content::ImageResult drawn(const std::string& path, std::optional<std::pair<int, int>> size) {
+    content::ImageResult drawn(const std::string& path, std::optional<std::pair<int, int>> size, ScenePicture wanted) {
         if (!context_) context_ = headless_context("");
         if (!context_) {
             status_ = exit_graphics;
             return {};
         }
-        ScenePicture wanted = options_.scene;
         if (!wanted.size) wanted.size = size;
         std::string messages;
         auto result = scene_picture(path, wanted, gl::query_caps(), messages);
@@ -147,21 +150,27 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
                                    const std::vector<std::string>& references) {
     std::optional<Compared> best;
     std::optional<Picture> picture;
-    if (!has_extension(path, "glib")) picture = pictures.of(path, std::nullopt);
+    const ScenePicture& scene = options.scene;
+    if (!has_extension(path, "glib")) picture = pictures.of(path, std::nullopt, scene);
     if (!has_extension(path, "glib") && !picture) return best;
     for (const std::string& name : references) {
         const auto reference =
-            pictures.of(name, picture ? std::optional(std::pair(picture->width, picture->height)) : std::nullopt);
+            pictures.of(name, picture ? std::optional(std::pair(picture->width, picture->height)) : std::nullopt,
+                        options.other ? *options.other : scene);
         if (!reference) return std::nullopt;
-        if (has_extension(path, "glib")) picture = pictures.of(path, std::pair(reference->width, reference->height));
+        if (has_extension(path, "glib"))
+            picture = pictures.of(path, std::pair(reference->width, reference->height), scene);
         if (!picture) return std::nullopt;
         if (picture->width != reference->width || picture->height != reference->height) {
             complain(fmt::format("'{}' has {}x{} pixels, but '{}' has {}x{}", path, picture->width, picture->height,
                                  name, reference->width, reference->height));
             continue;
         }
-        Compared now{path,
-                     name,
+        const auto named = [](const std::string& file, const std::string& state) {
+            return state.empty() ? file : fmt::format("{} ({})", file, state);
+        };
+        Compared now{named(path, options.states[0]),
+                     named(name, options.states[1]),
                      picture->width,
                      picture->height,
                      accuracy::picture_difference(*picture, *reference, options.threshold),
@@ -327,7 +336,33 @@ Exit outputs_fit(const CompareOptions& options, const Pairing& pairing) {
     return check_outputs(outputs, {});
 }
 
-Exit compare(const CompareOptions& options) {
+// Two states of one scene, which two --set name, see src/app/open/states.h.
+Exit two_states(CompareOptions& options) {
+    if (!has_extension(options.picture, "glib") || options.scene.sets.size() != 2)
+        return complain(exit_usage,
+                        "without a REFERENCE, two states of a scene are compared: give a scene and --set twice",
+                        "snell compare room.glib --set uIndex=1.33 --set uIndex=2.4");
+    const Access access = access_to(options.picture, options.scene.access, options.scene.grade);
+    Files files(scene_folder(options.picture), access);
+    Sources sources;
+    Diagnostics diagnostics;
+    const auto plan = read_plan(options.picture, files, sources, diagnostics);
+    if (!plan) return complain(exit_input, fmt::format("cannot read '{}'", options.picture));
+    options.other = options.scene;
+    ranges::copy(options.scene.sets, options.states.begin());
+    for (ScenePicture* side : {&options.scene, &*options.other}) {
+        NamedState state = named_state(options.states[side != &options.scene], options.picture, plan->scene);
+        if (!state.error.empty()) return complain(exit_usage, state.error);
+        side->sets = std::move(state.sets);
+        side->ladders.insert(side->ladders.end(), state.ladders.begin(), state.ladders.end());
+    }
+    options.references = {options.picture};
+    return exit_fine;
+}
+
+Exit compare(CompareOptions options) {
+    if (options.references.empty())
+        if (const Exit refused = two_states(options); refused != exit_fine) return refused;
     if (const Exit refused = usable(options); refused != exit_fine) return refused;
     const auto pairing = pairs_of(options);
     if (!pairing) return exit_input;
@@ -364,11 +399,10 @@ Exit compare(const CompareOptions& options) {
 Run add_compare(CLI::App& command) {
     auto options = std::make_shared<CompareOptions>();
     command.add_option("PICTURE", options->picture, "a picture, a scene, or a folder of them")->required();
-    command
-        .add_option(
-            "REFERENCE", options->references,
-            "picture, scene or folder to compare with; of several, the nearest counts. Names pair the files of folders")
-        ->required();
+    command.add_option(
+        "REFERENCE", options->references,
+        "picture, scene or folder to compare with; of several, the nearest counts. Names pair the files of folders. "
+        "Without it, two --set are two states of the scene");
     command
         .add_option("-o,--output", options->output,
                     "write FLIP's map of the differences; for folders, a folder of maps")
@@ -404,7 +438,12 @@ Run add_compare(CLI::App& command) {
     add_timeout(command, options->timeout, "each scene");
     command.footer(
         "Without a limit, the status is 0 when the pictures could be compared. With --max-rmse, --max-flip or\n"
-        "--max-pixels it is 0 for pictures that are alike, 1 for different ones, and 2 for wrong usage.");
+        "--max-pixels it is 0 for pictures that are alike, 1 for different ones, and 2 for wrong usage.\n\n"
+        "snell compare room.glib --set 'uIndex=1.33 BEND=single' --set uIndex=2.4 compares two states of one scene. "
+        "Each\n"
+        "is named as in the window: 'saved', 'reference' (the last rung of every ladder), 'snapshot 3', or settings "
+        "of\n"
+        "uniforms and ladders between blanks.");
     return [options] {
         return size_fits(options->scene.size, options->scene.access.limits) ? compare(*options) : exit_usage;
     };

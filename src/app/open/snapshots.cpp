@@ -58,15 +58,22 @@ std::string store_snapshot(int number, const Document& document) {
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 
-Restored restore_snapshot(int number, Document& document) {
-    const Json json = read(document.path);
+Setup read_snapshot(int number, const std::string& scene, std::string& error) {
+    const Json json = read(scene);
     const Json* const snapshot = member(json, std::to_string(number));
     const Json* const options = snapshot ? member(*snapshot, "options") : nullptr;
-    if (options && options->is_string())
-        return {{}, apply_setup(read_setup(options->get<std::string>()), document.scene(), document.controls)};
-    if (json.is_discarded()) return {snapshots_file(document.path) + " cannot be read as JSON"};
-    return {snapshot ? fmt::format("snapshot {} has another form: store it again", number)
-                     : fmt::format("there is no snapshot {}", number)};
+    if (options && options->is_string()) return read_setup(options->get<std::string>());
+    error = json.is_discarded() ? snapshots_file(scene) + " cannot be read as JSON"
+            : snapshot          ? fmt::format("snapshot {} has another form: store it again", number)
+                                : fmt::format("there is no snapshot {}", number);
+    return {};
+}
+
+Restored restore_snapshot(int number, Document& document) {
+    Restored restored;
+    const Setup setup = read_snapshot(number, document.path, restored.error);
+    if (restored.error.empty()) restored.lost = apply_setup(setup, document.scene(), document.controls);
+    return restored;
 }
 
 }  // namespace snell

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/document/document.h"
+#include "src/plan/setup.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
@@ -19,6 +20,9 @@ std::array<bool, most_snapshots + 1> snapshots_there(const std::string& scene);
 
 // Stores all values and rungs of the document; the other contents of the file stay. Returns "" or the error.
 std::string store_snapshot(int number, const Document& document);
+
+// The values and rungs of a snapshot. Sets `error` if there is none.
+Setup read_snapshot(int number, const std::string& scene, std::string& error);
 
 struct Restored {
     std::string error;     // if not empty, nothing was changed

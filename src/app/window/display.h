@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,10 @@ public:
     // Tells the time of the frame that was drawn, in milliseconds. The first one of a scene or of a grain may compile,
     // so it is not judged.
     void drew(double ms);
+    // The same for what was drawn beside it.
+    void drew_beside(double ms) { costs_[static_cast<std::size_t>(grain_)].ms += ms; }
+    // Nothing is dragged any more, as far as the mouse tells: the next picture is sharp.
+    void released() { until_ = -1e9; }
     // When a sharp picture is due if nothing moves; infinite if the picture is sharp.
     double due() const;
 
@@ -80,7 +85,8 @@ struct WindowCounters {
     std::uint64_t presents = 0;  // number of times that the window's contents were replaced
     double time = 0;             // of the last picture, in seconds
     double frame_ms = 0;
-    int grain = 0;  // of the last picture, an index into `grains`
+    double interface_ms = 0, present_ms = 0;  // of the last presented one: panels made and drawn; contents replaced
+    int grain = 0;                            // of the last picture, an index into `grains`
 };
 
 class Display {
@@ -95,15 +101,19 @@ public:
     double sharp_due() const { return coarseness_.due(); }
     // Draws the picture. `after` is that of Frame; `density` is pixels per window coordinate.
     void draw(Document& document, const std::function<void(const Step&)>* after, float density);
+    // Draws what is right of the divider, which is as coarse, if it differs from its last picture. `next` is its
+    // picture in the values of the other document. Returns true if it was drawn.
+    bool draw_beside(Drawn next, Document& document, float density);
     // While the picture stays the same: see Runtime::specialise. Not for scenes that are cheap to draw.
     bool specialise(Document& document);
     // True if the driver reset the context during draw(); drawn() is still the picture before.
     bool lost() const { return lost_; }
 
-    // Clears the window, whose size in pixels is given, and copies the last picture into it.
-    void show(PixelSize pixels) const;
+    // Clears the window, whose size in pixels is given, and copies the last picture into it; with a divider, from that
+    // column on what is beside it.
+    void show(PixelSize pixels, std::optional<int> divider) const;
     // Replaces the contents of the window by what was drawn into it.
-    void present();
+    void present(double interface_ms);
 
     const Drawn& drawn() const { return drawn_; }
     // The last picture, as small as the file browser shows it; without pixels if nothing was drawn.
@@ -111,7 +121,7 @@ public:
     // The y of the picture's bottom, in pixels from the bottom of the window.
     int bottom(PixelSize pixels) const { return pixels.height - drawn_.stand.height; }
     // Of a sharp picture.
-    int samples() const { return sharp_.samples(); }
+    int samples() const { return canvases_.sharp.samples(); }
     const WindowCounters& counters() const { return counters_; }
     // When the last picture was begun, by the clock of the window.
     double last_picture() const { return last_picture_; }
@@ -119,11 +129,19 @@ public:
 private:
     Window& window_;
     bool moved(const Drawn& next) const;
-    gl::Canvas& canvas_of(const Drawn& drawn) { return drawn.grain > 0 ? coarse_ : sharp_; }
-    const gl::Canvas& canvas_of(const Drawn& drawn) const { return drawn.grain > 0 ? coarse_ : sharp_; }
+    // The last picture is in one of them, see Drawn::grain.
+    struct Canvases {
+        gl::Canvas sharp, coarse;
+        gl::Canvas& of(const Drawn& drawn) { return drawn.grain > 0 ? coarse : sharp; }
+        const gl::Canvas& of(const Drawn& drawn) const { return drawn.grain > 0 ? coarse : sharp; }
+    };
+    void draw_into(gl::Canvas& canvas, const Drawn& drawn, Document& document,
+                   const std::function<void(const Step&)>* after, float density);
 
-    gl::Canvas sharp_, coarse_;  // the last picture is in one of them, see drawn_.grain
+    Canvases canvases_, beside_;
+    Drawn drawn_beside_;
     Coarseness coarseness_;
+    bool held_ = false;  // a mouse button was down at the last picture
     Drawn drawn_, next_;
     WindowCounters counters_;
     app::LossWatch loss_;

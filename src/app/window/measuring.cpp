@@ -1,33 +1,49 @@
 #include "src/app/window/measuring.h"
 
+#include <cmath>
+
 namespace snell {
 
 Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
-    : caps_(caps), accuracy_(scene, caps), found_(scene, caps), frame_costs_(caps), textures_(caps.es) {}
+    : caps_(caps),
+      accuracy_(scene, caps),
+      found_(scene, caps),
+      states_(scene, caps),
+      frame_costs_(caps),
+      textures_(caps.es) {}
 
 void Measuring::begin_scene(const std::string& scene) {
     accuracy_ = AccuracyView(scene, caps_);
     found_ = FoundView(scene, caps_);
+    states_ = StatesView(scene, caps_);
     explained_ = {};
 }
 
 void Measuring::leave() {
     accuracy_.leave();
     found_.leave();
+    states_.leave();
 }
 
 bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
     const bool found = found_.follow(scene, stale, stand, still, memory.accuracy);
-    accuracy_.follow(scene, stale, stand, memory.accuracy, found_.rung());
-    Document& document = found_.shown(scene);
+    AccuracyView::Pair pair;
+    if (found_.rung() || (states_.active() && !states_.with_reference()))
+        pair = {&shown(scene), found_.rung() ? &scene : &states_.right(scene), showing()};
+    accuracy_.follow(scene, stale, stand, memory.accuracy, pair);
+    Document& document = shown(scene);
     const bool opened = frame_costs_.open(memory.frame_cost, display.drawn().revision, display.counters().frame_ms);
     if (memory.scene.width <= 0) return opened || found;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
     const bool texels =
         textures_.follow(document, display.drawn().revision, display.counters().frames, memory, density);
-    return pixels_.follow(document, stand, display.counters().frames, memory.pixels, density) || opened || texels ||
-           found;
+    // The half under the pointer.
+    const std::optional<int> column = divider(stand.width, memory.accuracy);
+    const bool right = column && memory.pixels.x * density >= *column;
+    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, memory.pixels, density,
+                          column ? right ? "right" : "left" : "") ||
+           opened || texels || found;
 }
 
 bool Measuring::step(Document* document, const Display& display, const std::function<void()>& alive) {
@@ -38,7 +54,7 @@ bool Measuring::step(Document* document, const Display& display, const std::func
         return !linking_;
     }
     if (frame_costs_.busy())
-        return document && frame_costs_.step(found_.shown(*document), display.drawn().stand, display.samples());
+        return document && frame_costs_.step(shown(*document), display.drawn().stand, display.samples());
     return accuracy_.busy() ? accuracy_.step() : found_.step(alive);
 }
 
@@ -46,12 +62,21 @@ std::string Measuring::serve(const ui::Requests& requests, Document* document, c
                              ui::Memory& memory) {
     if (requests.measure) accuracy_.measure(memory.accuracy);
     if (requests.measure_frame) frame_costs_.measure();
-    if (requests.find_rungs || requests.show_rung) accuracy_.leave_rung();
+    if (requests.find_rungs || requests.show_rung) accuracy_.leave_pair();
     if (document) found_.serve(requests, *document, display.drawn().stand, memory);
     return requests.copy_rung ? found_.command() : "";
 }
 
-void Measuring::tell(ui::Facts& facts, const Document* document, const ui::Memory& memory) {
+// What is on the left in place of a state; empty if nothing is.
+std::string Measuring::found_text() const { return found_.rung() ? ui::found_text(*found_.facts()) : ""; }
+
+std::optional<int> Measuring::divider(int width, const ui::AccuracyMemory& memory) const {
+    if (!states_.active() || memory.show != ui::AccuracyMemory::Show::split) return std::nullopt;
+    return static_cast<int>(std::lround(memory.divider * static_cast<float>(width)));
+}
+
+void Measuring::tell(ui::Facts& facts, Document* document, const Session& session, const ui::Memory& memory) {
+    facts.states = document ? states_.facts(*document, session.earlier(), facts.snapshots, found_text()) : nullptr;
     facts.accuracy = accuracy_.facts(memory.accuracy);
     facts.found = document && memory.accuracy.open ? found_.facts() : nullptr;
     facts.frame_cost = frame_costs_.facts(document);

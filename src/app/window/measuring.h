@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,7 +13,9 @@
 #include "src/app/window/measure/found_view.h"
 #include "src/app/window/measure/frame_costs.h"
 #include "src/app/window/measure/pixel_view.h"
+#include "src/app/window/measure/states_view.h"
 #include "src/app/window/measure/texture_view.h"
+#include "src/app/window/session.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
@@ -26,10 +29,21 @@ public:
     // Call it when the scene was read again: its document may be another one.
     void leave();
 
-    // The document whose picture the window shows in place of the scene's: that of a found rung, or the scene's own.
-    Document& shown(Document& scene) { return found_.shown(scene); }
-    // Another number for each found rung that is shown; 0: the scene is shown.
-    std::uint64_t showing() const { return found_.showing(); }
+    // Call it before a picture is drawn: two states may be shown side by side.
+    void prepare(Document& scene, const Session& session, const ui::AccuracyMemory& memory) {
+        states_.follow(scene, session.earlier(), session.revision(), memory);
+    }
+    // The document whose picture the window shows in place of the scene's: that of a found rung, the left one of two
+    // states, or the scene's own.
+    Document& shown(Document& scene) { return found_.rung() ? found_.shown(scene) : states_.left(scene); }
+    // What is right of the divider; null if there is none.
+    Document* beside(Document& scene) {
+        return !states_.active() ? nullptr : found_.rung() ? &scene : &states_.right(scene);
+    }
+    // Another number for each found rung and each pair of states that is shown; 0: the scene is shown.
+    std::uint64_t showing() const { return 65536 * found_.showing() + states_.showing(); }
+    // The divider's column in a picture of that width, where two states are shown side by side.
+    std::optional<int> divider(int width, const ui::AccuracyMemory& memory) const;
 
     // True if the picture must be drawn although it is unchanged.
     bool wants_picture() const { return frame_costs_.wants_picture(); }
@@ -52,7 +66,7 @@ public:
     std::string serve(const ui::Requests& requests, Document* document, const Display& display, ui::Memory& memory);
 
     // Fills in the results, without the explanation.
-    void tell(ui::Facts& facts, const Document* document, const ui::Memory& memory);
+    void tell(ui::Facts& facts, Document* document, const Session& session, const ui::Memory& memory);
     // Fills in the explanation of the costs, if its panel is open.
     void explain(ui::Facts& facts, const Document& document, const ui::Memory& memory);
     // The explanation that is shown is of programs for other values.
@@ -63,9 +77,12 @@ public:
     void show(int y, const ui::Memory& memory);
 
 private:
+    std::string found_text() const;
+
     gl::Caps caps_;
     AccuracyView accuracy_;
     FoundView found_;
+    StatesView states_;
     FrameCosts frame_costs_;
     PixelView pixels_;
     TextureView textures_;

@@ -20,6 +20,13 @@ Finding nearby(Finding finding, const std::string& folder) {
     return finding;
 }
 
+TextState text_state(const Document& document) {
+    TextState was{{}, setup_of(document.scene(), document.controls)};
+    for (FileId file = 0; file < document.sources.size(); ++file)
+        was.texts.insert_or_assign(std::string(document.sources.name(file)), std::string(document.sources.text(file)));
+    return was;
+}
+
 std::string folder_of(const std::string& file) {
     const std::string folder = std::filesystem::path(file).parent_path().string();
     return folder.empty() ? "." : folder;
@@ -103,6 +110,7 @@ std::string Session::open(std::string path, Remembered memory) {
     // Resources that both scenes have were taken over by read(); values must not be.
     shown_.reset();
     kept_ = nullptr;
+    earlier_ = {};
     by_hand_.clear();
     recovering_ = hold_values_ = false;
     take(std::move(fresh));
@@ -132,6 +140,11 @@ void Session::take(std::unique_ptr<Document> read) {
     stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
     if (stale_ || !read->runtime) return;
     carry_values(*read);
+    TextState before = shown_ ? text_state(*shown_) : TextState{}, now = text_state(*read);
+    if (!shown_)
+        earlier_.opened = std::move(now);
+    else if (before.texts != now.texts)
+        earlier_.before_edit = std::move(before);
     keep_shown();
     shown_ = std::move(read);
     plan_ = std::move(read_plan_);

@@ -10,6 +10,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/app/desktop/watch.h"
+#include "src/app/open/states.h"
 #include "src/app/window/survive/keeper.h"
 #include "src/document/document.h"
 #include "src/plan/setup.h"
@@ -63,6 +64,7 @@ public:
     std::size_t errors() const { return errors_; }
     bool stale() const { return stale_; }
     std::uint64_t revision() const { return revision_; }  // number of readings and of choices of rungs so far
+    const Earlier& earlier() const { return earlier_; }
     std::string problems_text() const;
     // Every file in use, with the scene first. After a broken edit, both the files that it reads and those of the shown
     // picture.
@@ -94,6 +96,7 @@ private:
     Remembered memory_;        // values that shown_ does not have, and those with which it began
     bool hold_values_ = false;
     Rungs first_rungs_;
+    Earlier earlier_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems
     std::vector<ui::Problem> problems_;  // those of the files, then those of rungs that were chosen since
     std::vector<std::string> printed_;   // the same problems, with the names of files as the user gave them

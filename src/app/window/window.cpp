@@ -189,7 +189,7 @@ void App::loading(const LoadProgress& progress) {
     window_->wait(0);
     if (!visible()) return;
     interface_.loading(progress);
-    display_.show(window_->framebuffer());
+    display_.show(window_->framebuffer(), std::nullopt);
     interface_.paint();
     window_->present();
 }
@@ -437,7 +437,7 @@ ui::Facts App::facts() {
     facts.full_screen = window_->full_screen();
     picking_.tell(facts, document, memory.hold);
     if (document) measuring_.explain(facts, *document, memory);
-    measuring_.tell(facts, document, memory);
+    measuring_.tell(facts, workspace_.document(), workspace_.session(), memory);
     return facts;
 }
 
@@ -468,12 +468,15 @@ void App::show(bool repaint) {
     const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_,
                                                     !running() && !interface_.pressed(), memory);
     if (drew || told) settle(1);  // the panels show the new cost and values
+    // The divider is in the interface's picture.
     const std::array now{interface_.picture(), measuring_.revision(memory)};
     if (drew || told || repaint || now != presented_) {
-        display_.show(pixels);
+        display_.show(pixels, measuring_.divider(display_.drawn().stand.width, memory.accuracy));
         if (document) measuring_.show(display_.bottom(pixels), memory);
+        const double start = window_->now();
         interface_.paint();
-        display_.present();
+        if (!options_.state_file.empty()) gl::finish();  // so that each part has its own time
+        display_.present((window_->now() - start) * 1e3);
         presented_ = now;
     }
     if (!options_.state_file.empty()) write_state();
@@ -482,7 +485,7 @@ void App::show(bool repaint) {
 void App::write_state() {
     const ui::Memory& memory = interface_.memory();
     ui::Facts measured;
-    measuring_.tell(measured, workspace_.document(), memory);
+    measuring_.tell(measured, workspace_.document(), workspace_.session(), memory);
     write_window_state(options_.state_file, answered_, display_.counters(), workspace_, interface_.view(),
                        interface_.layout(), memory, measured, window_->framebuffer());
 }
@@ -502,17 +505,31 @@ bool App::draw_scene() {
                       document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
     const bool held = interface_.pressed();
     const Wanted wanted{held, memory.always_sharp || (memory.animating() && !held), measuring_.wants_picture()};
+    measuring_.prepare(document, session, memory.accuracy);
     Document& shown = measuring_.shown(document);
     const std::uint64_t showing = measuring_.showing();
     // Objects are those of the scene: a found rung may have others.
     const Index object = shown.scene().draws.size() == document.scene().draws.size() ? memory.hold.object : none;
-    if (!display_.prepare({revision, stand, document.controls.rungs, showing, object}, shown, wanted)) return false;
+    Document* const beside = measuring_.beside(document);
+    const auto draw_beside = [&] {
+        if (!beside) return false;
+        Stand other = stand;
+        other.values = values_of(beside->controls);
+        hang_.begin("drawing a frame");
+        const bool drew =
+            display_.draw_beside({revision, std::move(other), beside->controls.rungs, showing}, *beside, density);
+        hang_.rest();
+        return drew;
+    };
+    if (!display_.prepare({revision, stand, document.controls.rungs, showing, object}, shown, wanted))
+        return draw_beside();
     hang_.begin("drawing a frame");
     display_.draw(shown, measuring_.begin_picture(revision + (showing << 32U)), density);
     hang_.rest();
     if (lost()) return false;
     measuring_.end_picture(display_.counters().frame_ms);
-    if (showing == 0) session.drawn_well();
+    draw_beside();
+    if (&shown == &document) session.drawn_well();
     return true;
 }
 

@@ -80,7 +80,7 @@ json found_of(const ui::FoundFacts& facts) {
 
 // Values are written as text, because JSON has neither NaN nor infinity.
 json pixels_of(const ui::PixelFacts& facts) {
-    json pixels = json::object();
+    json pixels{{"title", facts.at}};
     if (facts.flags)
         for (const Flag flag : {Flag::nan, Flag::infinite, Flag::negative, Flag::above_one})
             pixels["flags"][std::string(name(flag))] = (*facts.flags)[flag];
@@ -123,6 +123,7 @@ void write_window_state(const std::string& file, const std::string& answered, co
                {"presents", counters.presents},
                {"time", counters.time},
                {"grain", counters.grain},
+               {"ms", {counters.frame_ms, counters.interface_ms, counters.present_ms}},
                {"revision", session.revision()},
                {"errors", session.errors()},
                {"problems", session.problems_text()},
@@ -145,6 +146,8 @@ void write_window_state(const std::string& file, const std::string& answered, co
             state["counters"][std::string(counter.name)] = drawn.*counter.value;
     }
     if (measured.accuracy) state["accuracy"] = accuracy_of(memory.accuracy, *measured.accuracy);
+    if (measured.states)
+        for (const ui::StateFacts::Side& side : measured.states->sides) state["states"].push_back(side.label);
     if (measured.found && measured.found->asked) state["found"] = found_of(*measured.found);
     if (measured.pixels) state["pixels"] = pixels_of(*measured.pixels);
     if (measured.textures) state["textures"] = textures_of(*measured.textures);

@@ -44,6 +44,18 @@ std::string confirmed_page(const Document& document, ui::SaveAs& dialog) {
     return ui::confirmed(dialog, std::filesystem::exists(page, error), page.string()) ? page.string() : "";
 }
 
+// The folder of a scene, as displayed.
+std::string shown_folder(const std::string& scene) {
+    return utf8::printable(with_tilde(std::filesystem::path(whole_path(scene)).parent_path().string()));
+}
+
+void expand_tilde(ui::SaveAs& dialog) {
+    const std::string whole = without_tilde(dialog.file.data());
+    if (whole.size() >= dialog.file.size()) return;
+    dialog.file.fill('\0');
+    whole.copy(dialog.file.data(), whole.size());
+}
+
 }  // namespace
 
 std::string title_of(const std::string& scene, bool unsaved) {
@@ -156,7 +168,9 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
                 memory.notice = undone;
             keeper_.look_again();
         }
+        if (requests.save_as_now) expand_tilde(memory.save_as);
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
+        if (requests.save_as) memory.save_as.folder = shown_folder(session_.path());
         if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files));
         if (!served.saved_as.empty()) {
             past_.hand_on(session_, served.saved_as, view);

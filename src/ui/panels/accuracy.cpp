@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/content/image/reduced.h"
+#include "src/ui/kit/input.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/frame_cost.h"
@@ -183,19 +185,45 @@ bool ladder_part(const Scene& scene, const AccuracyFacts& facts, Controls& contr
     return measure;
 }
 
-// Names what is on one side of the divider at `x`, as far as there is room.
-void sign(const std::string& name, float x, const Rect& scene, bool left, Layout& layout) {
-    const float em = ImGui::GetFontSize(), pad = em * .3F;
-    const float room = (left ? x - scene.x : scene.x + scene.width - x) - em - 2 * pad;
-    if (room < 2 * em) return;
-    const Text text = shortened(name, room);
-    const float width = width_of(text.view()), begin = left ? x - em - width : x + em;
-    const float top = scene.y + scene.height - em - 3 * pad;
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    const Rect box{begin - pad, top - pad * .5F, width + 2 * pad, em + pad};
-    list.AddRectFilled({box.x, box.y}, {box.x + box.width, box.y + box.height}, IM_COL32(0, 0, 0, 170), pad);
-    list.AddText({begin, top}, IM_COL32_WHITE, text.begin(), text.end());
-    layout.place(left ? "accuracy.left" : "accuracy.right", box);
+// What can be on one side.
+void state_menu(const StateFacts& facts, const StateFacts::Side& side, bool left, AccuracyMemory& memory,
+                Layout& layout) {
+    std::string& name = left ? memory.left : memory.right;
+    for (const StateFacts::Choice& choice : facts.choices) {
+        if (ImGui::Selectable(choice.text.c_str(), choice.name == side.name)) name = choice.name;
+        layout.note(left ? "left" : "right", choice.name);
+    }
+    ImGui::SetNextItemWidth(12 * ImGui::GetFontSize());
+    if (ImGui::InputTextWithHint("##settings", "values, as uIndex=1.33", memory.settings.data(), memory.settings.size(),
+                                 ImGuiInputTextFlags_EnterReturnsTrue)) {
+        if (memory.settings[0] != '\0') name = memory.settings.data();
+        memory.settings.fill('\0');
+        ImGui::CloseCurrentPopup();
+    }
+    layout.note(left ? "left.settings" : "right.settings");
+}
+
+// The name of one side as a button, within that width.
+void state_button(const StateFacts& facts, std::size_t index, float width, AccuracyMemory& memory, Layout& layout) {
+    const bool left = index == 0;
+    const StateFacts::Side& side = facts.sides[index];
+    ImGui::PushID(left ? "left" : "right");
+    const float arrow = button_width(" \u25BE");
+    Text text = shortened(side.label, std::max(width - arrow, 1.0F));
+    if (side.failed) ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+    if (ImGui::Button(text.append(" \u25BE").c_str())) ImGui::OpenPopup("states");
+    if (side.failed) ImGui::PopStyleColor();
+    layout.note(left ? "accuracy.left" : "accuracy.right");
+    tip(side.label);
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    ImGui::SetNextWindowPos({from.x, from.y - ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Always, {0, 1});
+    const bool open = ImGui::BeginPopup("states");
+    note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
+    if (open) {
+        state_menu(facts, side, left, memory, layout);
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
 }
 
 }  // namespace
@@ -270,21 +298,52 @@ void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
     ImGui::Spacing();
 }
 
-std::pair<std::string, std::string> split_text(const std::vector<Ladder>& ladders, const Rungs& chosen) {
-    std::string left, right;
-    for (std::size_t i = 0; i < ladders.size() && i < chosen.size(); ++i) {
-        const std::vector<std::string>& rungs = ladders[i].rungs;
-        if (chosen[i] + 1 >= rungs.size()) continue;
-        const char* comma = left.empty() ? "" : ", ";
-        left += fmt::format("{}{}: {}", comma, ladders[i].name, rungs[chosen[i]]);
-        right += comma + rungs.back();
-    }
-    if (left.empty()) left = right = "reference";
-    return {left, right};
+void switch_split(AccuracyMemory& memory) {
+    using Show = AccuracyMemory::Show;
+    memory.show = memory.show == Show::picture ? Show::split : Show::picture;
 }
 
-void accuracy_divider(const Facts& facts, const Controls& controls, const Rect& scene, AccuracyMemory& memory,
-                      Layout& layout) {
+void state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, Layout& layout) {
+    using Show = AccuracyMemory::Show;
+    if (!facts.states) return;
+    const StateFacts& states = *facts.states;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemSpacing.x, arrow = button_width(" \u25BE");
+    const float middle = button_width("\u21C4") + button_width("Heat map") + 2 * gap, pad = .4F * ImGui::GetFontSize();
+    // Each has what it needs, and half of the room at most.
+    const float room = std::max(scene.width - middle - gap - 4 * pad, 2.0F) / 2;
+    const auto wide = [&](std::size_t i) { return std::min(room, width_of(states.sides[i].label) + arrow); };
+    const float left = wide(0), all = left + wide(1) + middle + gap + 2 * pad;
+    const float divider = memory.show == Show::split ? memory.divider : .5F;
+    const float x = std::clamp(scene.x + scene.width * divider - left - pad - gap - button_width("\u21C4") / 2,
+                               scene.x + pad, std::max(scene.x + pad, scene.x + scene.width - all - pad));
+    ImGui::SetNextWindowPos({std::round(x), scene.y + scene.height - pad}, 0, {0, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.PopupRounding);
+    ImGui::SetNextWindowBgAlpha(.85F);
+    constexpr ImGuiWindowFlags bar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                     ImGuiWindowFlags_NoFocusOnAppearing;
+    if (ImGui::Begin("##states", nullptr, bar)) {
+        state_button(states, 0, left, memory, layout);
+        ImGui::SameLine();
+        if (button("\u21C4", layout, "accuracy.swap")) {
+            memory.left = states.sides[1].name;
+            memory.right = states.sides[0].name;
+        }
+        tip("Swaps the two sides");
+        ImGui::SameLine();
+        if (button(memory.show == Show::heat ? "Split" : "Heat map", layout, "accuracy.other"))
+            memory.show = memory.show == Show::heat ? Show::split : Show::heat;
+        tip("Shows where they differ, or both");
+        ImGui::SameLine();
+        state_button(states, 1, wide(1), memory, layout);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout) {
     const float grip = std::round(ImGui::GetFontSize() * .9F);
     const float x = scene.x + std::round(scene.width * memory.divider);
     ImGui::SetNextWindowPos({x - std::round(grip / 2), scene.y});
@@ -299,7 +358,11 @@ void accuracy_divider(const Facts& facts, const Controls& controls, const Rect& 
         layout.note("accuracy.divider");
         const bool held = ImGui::IsItemActive();
         if (held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-        if (held)
+        if (ImGui::IsItemActivated()) memory.grabbed = memory.divider;
+        if (held && pressed(Key::escape)) {
+            memory.divider = memory.grabbed;
+            ImGui::ClearActiveID();
+        } else if (held)
             memory.divider =
                 std::clamp((ImGui::GetIO().MousePos.x - scene.x) / std::max(1.0F, scene.width), .02F, .98F);
         ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -311,12 +374,6 @@ void accuracy_divider(const Facts& facts, const Controls& controls, const Rect& 
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
-    const bool found = facts.accuracy->of_scene && facts.found;
-    const auto [left, right] = found
-                                   ? std::pair<std::string, std::string>(found_text(*facts.found), "the scene as it is")
-                                   : split_text(facts.scene->ladders, controls.rungs);
-    sign(left, x, scene, true, layout);
-    sign(right, x, scene, false, layout);
 }
 
 }  // namespace snell::ui

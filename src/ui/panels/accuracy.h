@@ -59,15 +59,32 @@ struct AccuracyPlot {
     std::vector<std::pair<double, double>> places;  // of these
 };
 
+// The two states that are shown side by side.
+struct StateFacts {
+    struct Choice {
+        std::string name, text;  // as in AccuracyMemory; as displayed
+    };
+    struct Side {
+        std::string name, label;  // what differs: "now: uIndex 1.33"
+        bool failed = false;      // the label says why it is not shown
+    };
+    std::vector<Choice> choices;
+    std::array<Side, 2> sides;
+};
+
 struct AccuracyMemory {
     enum class Show : std::uint8_t { picture, split, heat };
     bool open = false;
     Show show = Show::picture;
-    // Position as a fraction of the picture's width: the chosen rungs are on its left, the reference on its right.
-    float divider = .5F;
-    std::size_t ladder = 0;  // index of the ladder that is plotted: the one changed last
-    Rungs rungs;             // of the last frame
-    bool hold_time = true;   // whether an animated scene is paused while the panel is open
+    // The states on the left and on the right by their names, see src/app/open/states.h. Empty: as it is now, and the
+    // reference, or as it is saved if there are no ladders.
+    std::string left, right;
+    std::array<char, 256> settings{};  // what is typed as the name of a state
+    float divider = .5F;               // between them, as a fraction of the picture's width
+    float grabbed = .5F;               // where it was when its drag began
+    std::size_t ladder = 0;            // index of the ladder that is plotted: the one changed last
+    Rungs rungs;                       // of the last frame
+    bool hold_time = true;             // whether an animated scene is paused while the panel is open
     AccuracyPlot plot;
 };
 
@@ -89,11 +106,11 @@ std::string standing_text(const AccuracyPoint& point);  // such as "worth its ti
 // Draws error over cost, as wide as the panel.
 void accuracy_plot(const std::vector<AccuracyPoint>& points, AccuracyPlot& plot, Layout& layout);
 
-// What is on either side of the divider: the rungs of the ladders whose chosen rung is not the reference's, such as
-// "BEND: single" and "bounces".
-std::pair<std::string, std::string> split_text(const std::vector<Ladder>& ladders, const Rungs& chosen);
+// Draws the names of the two states, by which others are chosen, with buttons that swap them and show the heat map.
+void state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, Layout& layout);
+// Shows two states side by side, or one picture again.
+void switch_split(AccuracyMemory& memory);
 // Draws the divider over the picture and lets the user drag it. `scene` is in window coordinates.
-void accuracy_divider(const Facts& facts, const Controls& controls, const Rect& scene, AccuracyMemory& memory,
-                      Layout& layout);
+void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout);
 
 }  // namespace snell::ui

@@ -73,6 +73,7 @@ struct Facts {
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
+    const StateFacts* states = nullptr;                // set while two states are shown
     const AccuracyFacts* accuracy = nullptr;           // set while its panel is open, if there is a reference
     const FoundFacts* found = nullptr;                 // set while the panel of accuracy is open
     const Explanation* explanation = nullptr;          // set while Memory::costs

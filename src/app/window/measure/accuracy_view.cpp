@@ -291,8 +291,8 @@ bool Refinement::step() {
 
 bool Refinement::reference_step() {
     Document& reference = reference_document();
-    Controls last = controls_;
-    last.rungs = scene_ ? scene_->controls.rungs : reference.runtime->rungs();
+    Controls last = scene_ ? scene_->controls : controls_;
+    if (!scene_) last.rungs = reference.runtime->rungs();
     if (!scene_) choose_last(reference.scene(), last.rungs);
     const View view = without_axes();
     means_->reference.add(*reference.runtime, {.time = stand_.time, .view = view, .controls = last}, clock_);
@@ -384,13 +384,6 @@ std::byte byte_of(float value) {
     return static_cast<std::byte>(std::lround(255 * (value >= 0 ? std::min(value, 1.0F) : 0.0F)));
 }
 
-// As the screen shows it.
-std::vector<std::byte> bytes_of(const accuracy::Picture& picture) {
-    std::vector<std::byte> bytes(picture.rgba.size());
-    ranges::transform(picture.rgba, bytes.begin(), byte_of);
-    return bytes;
-}
-
 std::vector<std::byte> heat_of(const std::vector<float>& differences) {
     std::vector<std::byte> bytes;
     bytes.reserve(differences.size() * 4);
@@ -405,22 +398,24 @@ std::vector<std::byte> heat_of(const std::vector<float>& differences) {
 }  // namespace
 
 void AccuracyView::follow(Document& scene, bool stale, const Stand& stand, const ui::AccuracyMemory& memory,
-                          Document* rung) {
-    const bool wanted = memory.open && stand.width > 0, ladders = wanted && !scene.scene().ladders.empty();
+                          const Pair& pair) {
+    const bool wanted = (memory.open || memory.show == Show::heat) && stand.width > 0;
+    const bool ladders = wanted && !scene.scene().ladders.empty();
     if (!ladders) refinement_.reset();
-    if (!wanted || !rung) beside_.reset();
-    if (!wanted || (!ladders && !rung)) {
+    if (!wanted || !pair.left || showing_ != pair.showing) beside_.reset();
+    showing_ = pair.showing;
+    if (!wanted || (!ladders && !pair.left)) {
         still_ = {};
         uploaded_ = 0;
         return;
     }
     if (ladders && !refinement_) refinement_ = std::make_unique<Refinement>(path_, caps_);
-    if (rung && !beside_) beside_ = std::make_unique<Refinement>(path_, caps_);
-    if (rung)
-        beside_->follow(*rung, false, stand, &scene);
+    if (pair.left && !beside_) beside_ = std::make_unique<Refinement>(path_, caps_);
+    if (pair.left)
+        beside_->follow(*pair.left, false, stand, pair.right);
     else
         refinement_->follow(scene, stale, stand);
-    if (memory.show == Show::picture) return;
+    if (memory.show != Show::heat) return;
     while (!now()->reference() && now()->busy() && now()->comparable()) now()->step();
 }
 
@@ -441,20 +436,18 @@ const ui::AccuracyFacts* AccuracyView::facts(const ui::AccuracyMemory& memory) {
 }
 
 std::uint64_t AccuracyView::revision(const ui::AccuracyMemory& memory) const {
-    if (!now() || memory.show == Show::picture) return 0;
+    if (!now() || memory.show != Show::heat) return 0;
     return 4 * now()->revision() + (beside_ ? std::uint64_t{1} << 62U : 0) + static_cast<std::uint64_t>(memory.show);
 }
 
 void AccuracyView::show(int y, const ui::AccuracyMemory& memory) {
     const accuracy::Picture* reference = now() ? now()->reference() : nullptr;
-    if (!reference || memory.show == Show::picture) return;
+    if (!reference || memory.show != Show::heat) return;
     if (uploaded_ != revision(memory)) {
         uploaded_ = revision(memory);
-        still_.set(reference->width, reference->height,
-                   memory.show == Show::split ? bytes_of(*reference) : heat_of(now()->differences()));
+        still_.set(reference->width, reference->height, heat_of(now()->differences()));
     }
-    const double left = memory.show == Show::split ? memory.divider * reference->width : 0;
-    still_.show(0, y, static_cast<int>(std::lround(left)));
+    still_.show(0, y, 0);
 }
 
 }  // namespace snell

@@ -46,7 +46,7 @@ public:
 
     // The document whose picture the window shows: that of the found rung, with the values of the scene, or the scene.
     Document& shown(Document& scene);
-    Document* rung() { return rung_.get(); }
+    Document* rung() const { return rung_.get(); }
     // Another number for each rung that is shown; 0: the scene is shown.
     std::uint64_t showing() const { return rung_ ? showings_ : 0; }
 

@@ -19,7 +19,7 @@ Frame PixelView::frame(const Document& shown, const Stand& stand) {
 }
 
 bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
-                       float density) {
+                       float density, std::string_view half) {
     const bool wanted = (memory.inspecting || memory.flags) && stand.width > 0 && stand.height > 0;
     if (!wanted) {
         const bool had = pixels_ != nullptr;
@@ -39,7 +39,8 @@ bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t pictur
     } else {
         const int x = std::clamp(static_cast<int>(std::floor(memory.x * density)), 0, stand.width - 1);
         const int y = std::clamp(static_cast<int>(std::floor(memory.y * density)), 0, stand.height - 1);
-        if (looked_ != picture || found_.x != x || found_.y != y) {
+        if (looked_ != picture || found_.x != x || found_.y != y || half_ != half) {
+            half_ = half;
             look(shown, stand, x, y);
             looked_ = picture;
             fresh = true;
@@ -61,7 +62,7 @@ bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t pictur
 void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
     pixels_->inspect(*shown.runtime, frame(shown, stand), x, y, radius, found_);
     facts_.inspection = &found_;
-    facts_.at = fmt::format("pixel {}, {}", found_.x, found_.y);
+    facts_.at = fmt::format("pixel {}, {}{}{}", found_.x, found_.y, half_.empty() ? "" : ", ", half_);
     facts_.statement.clear();
     facts_.place.clear();
     if (found_.draw >= shown.scene().draws.size()) return;

@@ -6,9 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "parser/text/words.h"
-#include "src/app/desktop/folder.h"
-#include "src/app/desktop/settings.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/write_copy.h"
 #include "src/content/files.h"
@@ -41,7 +38,7 @@ std::string restore(int number, Document& document) {
 
 void save_as(const Document& document, ui::Memory& memory, Keeper::Served& served) {
     ui::SaveAs& dialog = memory.save_as;
-    std::string name = without_tilde(dialog.file.data());
+    std::string name = dialog.file.data();
     const std::string last = name.substr(name.rfind('/') + 1);
     if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
     SavedAs saved = saved_as(document, name);
@@ -68,9 +65,7 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
     Served served;
     std::string& notice = memory.notice;
     if (requests.save) save(document, memory, served);
-    if (requests.save_as)
-        ui::open_save_as(memory.save_as, short_name(document.path),
-                         utf8::printable(with_tilde(scene_folder(whole_path(document.path)))));
+    if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
     if (requests.save_as_now) save_as(document, memory, served);
     if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
     if (requests.store_snapshot > 0) store(requests.store_snapshot, document, memory, served);

@@ -1,0 +1,50 @@
+// States of a scene by name, so that any two can be compared: in the window side by side, and by `snell compare`.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parser/scene.h"
+#include "src/plan/setup.h"
+#include "src/plan/values/controls.h"
+#include "src/plan/values/rungs.h"
+
+namespace snell {
+
+// What a state has in place of what the scene has otherwise, as arguments of --set and --ladder.
+struct NamedState {
+    bool written = false;  // otherwise: as the scene's text says; else as it is now
+    std::vector<std::string> sets, ladders;
+    std::string error;  // why there is no such state; empty if there is
+};
+
+inline constexpr std::string_view state_now = "now", state_saved = "saved", state_reference = "reference",
+                                  state_snapshot = "snapshot ";
+
+// The name is one of these, such as "snapshot 3", or has settings between blanks, such as
+// "Glass.uIndex=1.33 BEND=single", each of a uniform or a ladder. `path` is that of the scene.
+NamedState named_state(std::string_view name, const std::string& path, const Scene& scene);
+
+// Sets what the state has; what does not fit is left out, and returned as a message, or "".
+std::string apply_state(const NamedState& state, const Scene& scene, Rungs& rungs);
+std::string apply_state(const NamedState& state, const Scene& scene, Controls& controls);
+
+// The texts of a scene as they were, by the paths of their files, and its values and rungs then.
+struct TextState {
+    std::map<std::string, std::string> texts;
+    Setup setup;
+};
+// As the scene was when it was opened, and before the last edit that is shown; without texts if it was not edited.
+struct Earlier {
+    TextState opened, before_edit;
+};
+
+// What differs between two states of a scene, on either side: "uIndex 1.33" and "2.4". Both are empty if nothing does.
+struct StateDifference {
+    std::string left, right;
+};
+StateDifference difference(const Setup& left, const Setup& right);
+
+}  // namespace snell

@@ -1,0 +1,62 @@
+// The two states of the scene that the window shows side by side. It does nothing until somebody asks.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "src/app/open/states.h"
+#include "src/document/document.h"
+#include "src/ui/panels/accuracy.h"
+
+namespace snell {
+
+class StatesView {
+public:
+    // The GL context of `caps` must be current during the object's whole life.
+    StatesView(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
+
+    // Call it before a picture is drawn: makes the documents of the states that memory.left and memory.right name, and
+    // gives them the values that they have now. `revision` is that of the session.
+    void follow(Document& scene, const Earlier& earlier, std::uint64_t revision, const ui::AccuracyMemory& memory);
+    // Call it before the document of the scene is destroyed.
+    void leave() { halves_ = {}; }
+
+    // The documents of the halves: that of the scene where the state is what it is now.
+    Document& left(Document& scene) { return of(halves_[0], scene); }
+    Document& right(Document& scene) { return of(halves_[1], scene); }
+    bool active() const { return active_; }
+    // True if the right half is the reference and the left one the scene: what Refinement compares by itself.
+    bool with_reference() const;
+    // Another number for each pair of states that is shown; 0 if none is.
+    std::uint64_t showing() const { return active_ ? showings_ : 0; }
+
+    // What is said of them. `snapshots`: which of them there are. `found`: a found rung, which is compared with the
+    // scene in place of the states. Valid until the next call.
+    const ui::StateFacts* facts(Document& scene, const Earlier& earlier, const std::array<bool, 10>& snapshots,
+                                const std::string& found);
+
+private:
+    struct Half {
+        std::string name;
+        std::uint64_t revision = 0;  // of the session when the document was made
+        NamedState state;
+        Setup setup;                         // of a state that is not made of a name
+        bool fixed = false;                  // it does not follow the scene's values
+        std::unique_ptr<Document> document;  // null: the scene's own
+        std::string error;
+    };
+    static Document& of(Half& half, Document& scene) { return half.document ? *half.document : scene; }
+    void make(Half& half, Document& scene, const Earlier& earlier);
+    static void set_values(Half& half, Document& scene);
+
+    std::string path_;
+    gl::Caps caps_;
+    bool active_ = false;
+    std::array<Half, 2> halves_;
+    std::uint64_t showings_ = 0;
+    ui::StateFacts facts_;
+};
+
+}  // namespace snell

@@ -1,0 +1,164 @@
+// Two states of a scene side by side, and what is said of them.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "tests/gui/desk.h"
+
+namespace snell::test {
+namespace {
+
+using nlohmann::json;
+
+class States : public Desk {
+protected:
+    void SetUp() override {
+        Desk::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        save("scene.glib",
+             "Perspective 50\nLookAt 0 0 4  0 0 0  0 1 0\nBackground 0 0 0\nVertex paint.vert\nFragment paint.frag\n"
+             "Ladder TINT dark <light>\nProgram Paint uRed <0. .2 1.> uGreen <0. .4 1.>\nQuadXY 0. 1. 2 2\n");
+        save("paint.vert", "#version 330 compatibility\nvoid main() { gl_Position = ftransform(); }\n");
+        save("paint.frag", fragment("0."));
+        open("scene.glib", {"--size", "1000x700"});
+    }
+    static std::string fragment(const std::string& more) {
+        return "#version 330 compatibility\nuniform float uRed, uGreen;\n"
+               "void main() { gl_FragColor = vec4(uRed, uGreen + " +
+               more + ", float(TINT) * .5, 1.); }\n";
+    }
+    // Red, green and blue left and right of the middle.
+    void expect(std::array<double, 3> left, std::array<double, 3> right, const char* what) const {
+        const Pixel l = scene_pixel(-25, 20), r = scene_pixel(25, 20);
+        const std::array<int, 3> lefts{l.red, l.green, l.blue}, rights{r.red, r.green, r.blue};
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NEAR(lefts[i], std::lround(255 * left[i]), 1) << what << " left " << i;
+            EXPECT_NEAR(rights[i], std::lround(255 * right[i]), 1) << what << " right " << i;
+        }
+    }
+    void choose_state(const std::string& side, const std::string& name) const {
+        click("accuracy." + side);
+        click(side + "." + name);
+        settle();
+    }
+    std::string label(int side) const { return state()["states"][static_cast<std::size_t>(side)]; }
+};
+
+TEST_F(States, AreShownSideBySideAndSlidersActOnWhatIsNow) {
+    user("key ctrl+1");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const double slid = state()["controls"]["Paint.uRed"][0];
+    user("key s");
+    settle();
+    expect({slid, .4, .5}, {slid, .4, .5}, "the reference is the same");
+    EXPECT_EQ(label(0), "now");
+    EXPECT_EQ(label(1), "reference");
+    choose_state("right", "saved");
+    expect({slid, .4, .5}, {.2, .4, .5}, "as saved");
+    EXPECT_EQ(label(0), "now: uRed " + fmt::format("{:.4g}", slid));
+    EXPECT_EQ(label(1), "as saved: 0.2");
+    choose_state("right", "TINT=dark");
+    expect({slid, .4, .5}, {slid, .4, 0}, "a rung");
+    EXPECT_EQ(label(1), "dark");
+    click("accuracy.right");
+    click("right.settings");
+    user("type --delay 8 uGreen=0.9");
+    user("key Return");
+    settle();
+    expect({slid, .4, .5}, {slid, .9, .5}, "typed values");
+    drag(on("Paint.uRed", slid), on("Paint.uRed", .5));
+    const double now = state()["controls"]["Paint.uRed"][0];
+    expect({now, .4, .5}, {now, .9, .5}, "what follows the scene follows its sliders");
+    EXPECT_EQ(label(0), "now: uGreen 0.4");
+    EXPECT_EQ(label(1), "0.9") << "as typed";
+    click("accuracy.swap");
+    settle();
+    expect({now, .9, .5}, {now, .4, .5}, "swapped");
+    choose_state("left", "snapshot 1");
+    expect({.2, .4, .5}, {now, .4, .5}, "a snapshot");
+    drag(on("Paint.uRed", now), on("Paint.uRed", .9));
+    const double last = state()["controls"]["Paint.uRed"][0];
+    expect({.2, .4, .5}, {last, .4, .5}, "a snapshot stays");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+    EXPECT_EQ(state()["errors"], 0);
+}
+
+TEST_F(States, OfTheTextAreThereToo) {
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const double slid = state()["controls"]["Paint.uRed"][0];
+    save("paint.frag", fragment(".3"));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    user("key s");
+    settle();
+    choose_state("right", "edit");
+    expect({slid, .7, .5}, {slid, .4, .5}, "before the last edit");
+    choose_state("right", "opened");
+    expect({slid, .7, .5}, {.2, .4, .5}, "as opened");
+    // The magnifier shows the half under the pointer.
+    const std::array<double, 4> area = state()["scene"];
+    for (const int off : {-30, 30}) {
+        user("mousemove " + std::to_string(static_cast<int>(area[2] / 2) + off) + " " +
+             std::to_string(static_cast<int>(area[3] / 2) + 20) + " keydown i");
+        ASSERT_TRUE(wait([](const json& s) { return s.contains("pixels") && s["pixels"].contains("rgba"); }));
+        settle();
+        const std::string red = state()["pixels"]["rgba"][0], title = state()["pixels"]["title"];
+        EXPECT_NEAR(std::stod(red), off < 0 ? slid : .2, 1e-6);
+        EXPECT_NE(title.find(off < 0 ? "left" : "right"), std::string::npos) << title;
+        user("keyup i");
+        settle();
+    }
+    // The heat map is of the same two.
+    click("accuracy.other");
+    settle();
+    const Pixel hot = scene_pixel(30, 20);
+    EXPECT_GT(hot.red, 200);
+    user("key s");
+    settle();
+    expect({slid, .7, .5}, {slid, .7, .5}, "the picture");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+// For README: the index of water beside that of diamond, while the view turns.
+class RoomStates : public Desk {
+protected:
+    RoomStates() : Desk("1280x720x24") {}
+};
+
+TEST_F(RoomStates, WaterBesideDiamondTurnsAsOne) {
+    std::filesystem::create_directory_symlink(SNELL_ROOT "/scenes", file("scenes"));
+    open("scenes/refraction-room/refraction-room.glib", {"--size", "1280x720"});
+    user("key s");
+    settle();
+    for (const std::string side : {"left", "right"}) {
+        click("accuracy." + side);
+        click(side + ".settings");
+        user(std::string("type --delay 8 uIndex=") + (side == "left" ? "1.33" : "2.42"));
+        user("key Return");
+        settle();
+    }
+    EXPECT_EQ(state()["states"][0], "uIndex 1.33");
+    EXPECT_EQ(state()["states"][1], "2.42");
+    user("mousemove 5 5");
+    settle();
+    const Picture before = look();
+    drag({200, 200}, {290, 220});
+    EXPECT_TRUE(wait([](const json& s) { return s["grain"] == 0; }));
+    user("mousemove 5 5");
+    settle();
+    const Picture after = look();
+    const std::array<double, 4> area = state()["scene"];
+    const auto changed = [&](double from, double to) {
+        int count = 0;
+        for (double x = area[2] * from; x < area[2] * to; x += 7)
+            for (double y = 9; y < area[3] * .8; y += 7) count += !(before.at(x, y) == after.at(x, y));
+        return count;
+    };
+    EXPECT_GT(changed(0, .48), 500);
+    EXPECT_GT(changed(.52, 1), 500) << "both are live";
+    keep("guide-states-window");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+}  // namespace
+}  // namespace snell::test
