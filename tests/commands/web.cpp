@@ -22,7 +22,6 @@ TEST_F(Web, APageHoldsTheValuesAndTheView) {
     EXPECT_EQ(data["rungs"], json::array({"WAY=dark"}));
     EXPECT_EQ(data["view"], "rotate_x=30,scale=2");
     EXPECT_EQ(data["link"], "https://example.org/s");
-    EXPECT_FALSE(data.contains("baked"));
     EXPECT_NE(bytes_of(at("p.html")).find("UlVO"), std::string::npos) << "the runtime stays";
     for (const char* name : {"s.glib", "paint.frag", "wood.bmp"}) EXPECT_TRUE(made.says(name)) << made.output;
     EXPECT_TRUE(made.says("197 kB  wood.bmp")) << made.output;
@@ -97,7 +96,6 @@ TEST_F(Web, WhatBrowsersLackIsRefusedAtItsPlace) {
         const Outcome outcome = web("'" + scene + "' -o p.html");
         EXPECT_EQ(outcome.status, 1) << outcome.output;
         EXPECT_TRUE(outcome.says(place)) << outcome.output;
-        EXPECT_TRUE(outcome.says("--baked")) << outcome.output;
         EXPECT_FALSE(there("p.html")) << scene;
     }
     const Outcome thin = web("'" + cases + "Wireframe.glib' -o p.html");
@@ -117,13 +115,11 @@ TEST_F(Web, GeometryAndTessellationHavePages) {
 // An error of the scene is no fault of browsers.
 TEST_F(Web, AnErrorOfTheSceneIsReportedAsEver) {
     folder.write("s.glib", plain + "Sphre 1\nTexture2D 7 gone.png\n");
-    for (const char* more : {"", "--baked uRed"}) {
-        const Outcome outcome = web(std::string("s.glib -o p.html ") + more);
-        EXPECT_EQ(outcome.status, 1);
-        EXPECT_TRUE(outcome.says("s.glib:6:1: error: ")) << outcome.output;
-        EXPECT_FALSE(outcome.says("WebGL")) << outcome.output;
-        EXPECT_FALSE(there("p.html"));
-    }
+    const Outcome outcome = web("s.glib -o p.html");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.says("s.glib:6:1: error: ")) << outcome.output;
+    EXPECT_FALSE(outcome.says("WebGL")) << outcome.output;
+    EXPECT_FALSE(there("p.html"));
     EXPECT_EQ(web("s.glib -o p.html --set uNope=1").status, 1);
     EXPECT_EQ(web("gone.glib -o p.html").status, 1);
 }
@@ -202,77 +198,6 @@ TEST_F(Web, WithoutTheBrowsersPartItSaysHowToMakeIt) {
     EXPECT_EQ(old.status, 1);
     EXPECT_TRUE(old.says("./dev web")) << old.output;
     EXPECT_FALSE(there("p.html"));
-}
-
-// ---- pictures ------------------------------------------------------------------------------------------
-
-TEST_F(Web, BakedPicturesAreThoseOfRender) {
-    folder.write("s.glib", "WindowSize 32 24\n" + plain);
-    const Outcome made = web("s.glib -o p.html --baked uRed --steps 4 --samples 1 --lossless --view rotate_y=10");
-    ASSERT_EQ(made.status, 0) << made.output;
-    const json page = unpack("p.html", "un"), &baked = page["baked"];
-    EXPECT_EQ(page["view"], "") << "the pictures have it";
-    ASSERT_EQ(baked["axes"].size(), 1u);
-    EXPECT_EQ(baked["axes"][0]["control"]["key"], "Paint.uRed");
-    const std::vector<double> values = baked["axes"][0]["values"];
-    EXPECT_EQ(values.size(), 5u) << "the current value is one of them";
-    EXPECT_NE(std::ranges::find(values, .25), values.end());
-    EXPECT_EQ(values.front(), 0);
-    EXPECT_EQ(values.back(), 1);
-    ASSERT_EQ(baked["pictures"].size(), values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const content::Image found = picture("un/" + baked["pictures"][i].get<std::string>());
-        const content::Image expected =
-            drawn("s.glib", "--view rotate_y=10 --set uRed=" + nlohmann::json(values[i]).dump());
-        EXPECT_TRUE(found.pixels == expected.pixels) << values[i];
-    }
-    EXPECT_EQ(bytes_of(at("p.html")).find("UlVO"), std::string::npos) << "pictures need no runtime";
-    EXPECT_FALSE(there("un/wood.bmp"));
-}
-
-TEST_F(Web, TwoSlidersMakeAGridWhoseLastAxisVariesFastest) {
-    folder.write("two.frag",
-                 "uniform int uGreen;\nuniform bool uBlue;\n"
-                 "void main() { gl_FragColor = vec4(0., float(uGreen) / 5., float(uBlue), 1.); }\n");
-    folder.write(
-        "s.glib",
-        "WindowSize 16 16\nOrtho -1 1 -1 1\nFragment two.frag\nProgram P uGreen <1 2 5> uBlue <true>\nQuadXY 0. 9.\n");
-    ASSERT_EQ(web("s.glib -o p.html --baked uGreen --baked P.uBlue --lossless").status, 0);
-    const json baked = unpack("p.html", "un")["baked"];
-    EXPECT_EQ(baked["axes"][0]["values"], json::array({1, 2, 3, 4, 5}));
-    EXPECT_EQ(baked["axes"][1]["values"], json::array({0, 1}));
-    ASSERT_EQ(baked["pictures"].size(), 10u);
-    for (int i = 0; i < 10; ++i) {
-        const content::Image found = picture("un/" + baked["pictures"][static_cast<std::size_t>(i)].get<std::string>());
-        ASSERT_FALSE(found.pixels.empty());
-        EXPECT_EQ(std::to_integer<int>(found.pixels[1]), 51 * (1 + i / 2)) << i;
-        EXPECT_EQ(std::to_integer<int>(found.pixels[2]), 255 * (i % 2)) << i;
-    }
-}
-
-TEST_F(Web, BakedTakesSlidersOfOneNumber) {
-    folder.write("c.frag",
-                 "uniform vec4 uTint;\nuniform vec2 uPair;\nuniform float uA;\n"
-                 "void main() { gl_FragColor = uTint + vec4(uPair, uA, 1.); }\n");
-    folder.write("s.glib",
-                 "Fragment c.frag\nProgram P uTint {1. 0. 0. 1.} uPair <0. .5 1.> uA <0. .5 1.>\nQuadXY 0. 1.\n");
-    for (const char* wrong : {"--baked uTint", "--baked uPair", "--baked uNone", "--baked uA --baked P.uA",
-                              "--baked uA --steps 1024 --size 8x8 --baked uA.x"}) {
-        const Outcome outcome = web(std::string("s.glib -o p.html ") + wrong);
-        EXPECT_EQ(outcome.status, 1) << wrong << outcome.output;
-        EXPECT_FALSE(there("p.html")) << wrong;
-    }
-    EXPECT_EQ(web("s.glib -o p.html --baked uA --baked uA --baked uA").status, 2);
-}
-
-TEST_F(Web, OneOfTwoProgramsOfANameIsBakedByItsNumber) {
-    folder.write("a.frag", "uniform float uA;\nvoid main() { gl_FragColor = vec4(uA); }\n");
-    const std::string one = "Fragment a.frag\nProgram P uA <0. .5 1.>\nQuadXY 0. .3\n";
-    folder.write("s.glib", "WindowSize 8 8\n" + one + one);
-    EXPECT_EQ(web("s.glib -o p.html --baked uA --steps 2").status, 1);
-    const Outcome made = web("s.glib -o p.html --baked 'P#2.uA' --steps 2");
-    ASSERT_EQ(made.status, 0) << made.output;
-    EXPECT_EQ(unpack("p.html", "un")["baked"]["axes"][0]["control"]["key"], "P#2.uA");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ def small(command):
         less = {}  # nothing is drawn
     if {"--within", "--error", "--save-quality"} & set(words):
         less = {"--size": "24x18", "--reps": "7", "--no-found": "", "--budget": "60"}
-    if "--baked" in words or words[1] == "compare" and any(word.endswith(".glib") for word in words):
+    if words[1] == "compare" and any(word.endswith(".glib") for word in words):
         less = {"--size": "24x18"}
     if "--frames" in words:
         less |= {"--frames": "3"}

@@ -1,4 +1,4 @@
-// What draws a scene, as the page sees it: by WebAssembly (wasm.ts), or by ready pictures (baked.ts).
+// What draws a scene, as the page sees it.
 
 // Lines and columns begin at 1; columns count bytes of UTF-8, as in every message of snell.
 export interface Place {

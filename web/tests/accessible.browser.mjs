@@ -10,16 +10,13 @@ import { builtPage, chord, chromium, drop, openText, pageOf, press, root, run, s
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const folder = temporaryFolder();
-let page, room, ladders, baked;
+let page, room, ladders;
 
 before(async () => {
-    const bake = join(folder, 'baked.html');
-    const baking = ['--baked', 'uIndex', '--steps', '3', '--size', '64x48', '--samples', '1'];
     let browser;
-    [room, ladders, baked, browser] = await Promise.all([
+    [room, ladders, browser] = await Promise.all([
         pageOf(folder, 'scenes/refraction-room/refraction-room.glib', '--link', 'https://example.org/room'),
         pageOf(folder, 'scenes/light/fresnel/fresnel.glib'),
-        run(['web', 'scenes/light/glass/glass.glib', '-o', bake, ...baking]).then(() => pathToFileURL(bake).href),
         chromium(),
         run(['web', '--gallery', 'scenes/refraction-room', '-o', join(folder, 'gallery')]),
     ]);
@@ -79,11 +76,8 @@ const states = {
         await page.reload();
         await page.waitForSelector('.editor-dialog[open]');
     },
-    'ready pictures': async () => {
-        await press(page, 'Discard', '.editor-dialog[open]');
-        await shows(page, baked);
-    },
     'the page without a scene': async () => {
+        await press(page, 'Discard', '.editor-dialog[open]');
         await page.goto(builtPage('snell.html'));
         await page.waitForSelector('.editor-welcome li');
     },

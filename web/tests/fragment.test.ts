@@ -49,7 +49,7 @@ test('the data of a page has the types that the page expects', () => {
     assert.equal(sceneOf('null'), undefined);
     assert.equal(sceneOf('{"scene":5}'), undefined);
     const data = sceneOf('{"scene":"a.glib","values":["A.b=1",5,null],"rungs":"x","view":{},"link":"javascript:alert(1)"}')!;
-    assert.deepEqual(data, { scene: 'a.glib', title: '', values: ['A.b=1'], rungs: [], view: '', link: '', baked: undefined });
+    assert.deepEqual(data, { scene: 'a.glib', title: '', values: ['A.b=1'], rungs: [], view: '', link: '' });
     assert.equal(safeLink('https://example.org/a'), 'https://example.org/a');
     assert.equal(safeLink(' data:text/html,x'), '');
 });

@@ -224,12 +224,10 @@ Exit web(const WebOptions& options) {
     const PageOptions& page = options.page;
     if (!options.gallery && options.names.size() > 1)
         return complain(exit_usage, "a page has one scene; --gallery takes folders");
-    if (page.baked.size() > 2) return complain(exit_usage, "--baked takes at most two sliders");
     const Start& start = page.start;
-    const bool one = !page.baked.empty() || !start.sets.empty() || !start.ladders.empty() || !start.view.empty() ||
-                     !start.quality.empty() || !page.title.empty();
+    const bool one = !start.sets.empty() || !start.ladders.empty() || !start.view.empty() || !start.quality.empty() ||
+                     !page.title.empty();
     if (options.gallery && one) return complain(exit_usage, "--gallery takes scenes as they are, without values");
-    if (!size_fits(page.size, page.access.limits)) return exit_usage;
     if (options.gallery)
         return make_gallery({options.names, page.output, page.link, page.access, page.grade, page.timeout});
     if (const std::string wrong = check_page_name(page.output); !wrong.empty()) return complain(exit_usage, wrong);
@@ -253,18 +251,9 @@ Run add_web(CLI::App& command) {
     add_view(command, page.start.view, "turned and moved, as for `snell render`");
     command.add_option("--title", page.title, "title of the page (default: the name of the scene)");
     command.add_option("--link", page.link, "address of the scene's text, to which the page links")->check(check_link);
-    add_repeated(command, "--baked", page.baked,
-                 "make a page of pictures over this slider instead; may be given twice");
-    command.add_option("--steps", page.steps, "pictures along each baked slider (default: 24, or 9 by 9)")
-        ->check(CLI::Range(2, static_cast<int>(most_baked)));
-    add_size(command, page.size, "WIDTHxHEIGHT of baked pictures (default: the scene's)");
-    command.add_option("--samples", page.samples, "samples per pixel of baked pictures")->check(CLI::Range(1, 64));
-    command.add_flag("--lossless", page.lossless, "store baked pictures exactly, which takes five times as much");
-    add_time(command, page.time);
-    add_context(command, page.context);
     add_access(command, page.access);
     add_grade(command, page.grade);
-    add_timeout(command, page.timeout, "reading a scene, or for a picture");
+    add_timeout(command, page.timeout, "reading a scene");
     return [options] { return web(*options); };
 }
 

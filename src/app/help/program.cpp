@@ -83,18 +83,18 @@ struct ValueName {
     const char* value;
 };
 constexpr auto value_names = std::to_array<ValueName>({
-    {"allow", "FOLDER"},      {"apply", "NUMBERS"},      {"baked", "UNIFORM"},    {"budget", "SECONDS"},
-    {"color", "WHEN"},        {"confine", "FOLDER"},     {"context", "VERSION"},  {"csv", "FILE"},
-    {"dump", "STAGE"},        {"error", "RMSE"},         {"fps", "RATE"},         {"frames", "COUNT"},
-    {"from", "RUNGS"},        {"jobs", "COUNT"},         {"json", "FILE"},        {"kind", "KIND"},
-    {"knobs", "KNOB,…"},      {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"}, {"limit", "LIMIT=VALUE"},
-    {"link", "URL"},          {"markdown", "FILE"},      {"max-flip", "FLIP"},    {"max-pixels", "PERCENT"},
-    {"memory", "GIGABYTES"},  {"max-rmse", "RMSE"},      {"merge", "FILE"},       {"output", "FILE"},
-    {"over", "NAME=VALUES"},  {"quality", "PRESET"},     {"reps", "COUNT"},       {"samples", "COUNT"},
-    {"set", "UNIFORM=VALUE"}, {"shard", "I/N"},          {"sheet", "FILE"},       {"size", "WIDTHxHEIGHT"},
-    {"slide", "FILE"},        {"stats", "FILE"},         {"steps", "COUNT"},      {"svg", "FILE"},
-    {"threshold", "VALUE"},   {"tile", "PIXELS"},        {"time", "SECONDS"},     {"timeout", "SECONDS"},
-    {"title", "TEXT"},        {"view", "VIEW"},          {"within", "TIME"},
+    {"allow", "FOLDER"},       {"apply", "NUMBERS"},    {"budget", "SECONDS"},     {"color", "WHEN"},
+    {"confine", "FOLDER"},     {"context", "VERSION"},  {"csv", "FILE"},           {"dump", "STAGE"},
+    {"error", "RMSE"},         {"fps", "RATE"},         {"frames", "COUNT"},       {"from", "RUNGS"},
+    {"jobs", "COUNT"},         {"json", "FILE"},        {"kind", "KIND"},          {"knobs", "KNOB,…"},
+    {"ladder", "LADDER=RUNG"}, {"ladders", "LADDER,…"}, {"limit", "LIMIT=VALUE"},  {"link", "URL"},
+    {"markdown", "FILE"},      {"max-flip", "FLIP"},    {"max-pixels", "PERCENT"}, {"memory", "GIGABYTES"},
+    {"max-rmse", "RMSE"},      {"merge", "FILE"},       {"output", "FILE"},        {"over", "NAME=VALUES"},
+    {"quality", "PRESET"},     {"reps", "COUNT"},       {"samples", "COUNT"},      {"set", "UNIFORM=VALUE"},
+    {"shard", "I/N"},          {"sheet", "FILE"},       {"size", "WIDTHxHEIGHT"},  {"slide", "FILE"},
+    {"stats", "FILE"},         {"steps", "COUNT"},      {"svg", "FILE"},           {"threshold", "VALUE"},
+    {"tile", "PIXELS"},        {"time", "SECONDS"},     {"timeout", "SECONDS"},    {"title", "TEXT"},
+    {"view", "VIEW"},          {"within", "TIME"},
 });
 
 // Flags have no type.

@@ -15,7 +15,7 @@
 #include "parser/text/words.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
-#include "src/app/page/baked.h"
+#include "src/app/page/encode.h"
 #include "src/app/page/page.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
@@ -71,8 +71,7 @@ std::string small_picture(const OpenedScene& opened) {
     const Frame frame{0, opened.view, opened.document->controls};
     const content::Image picture =
         thumbnail(draw_picture(runtime, frame, target, {.width = w, .height = h}, {}), false);
-    EncodedPicture made = encoded(picture, false);
-    if (!made.error.empty()) made = encoded(picture, true);  // without OpenImageIO
+    const EncodedPicture made = encoded(picture);
     return fmt::format("data:image/{};base64,{}", made.extension, content::base64(made.bytes));
 }
 
@@ -137,7 +136,7 @@ private:
     const Exhibit& exhibit_;
     const std::string& page_;
     Access access_;
-    PageContexts contexts_{""};
+    PageContexts contexts_;
     GalleryRow row_;
 };
 

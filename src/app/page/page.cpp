@@ -41,7 +41,7 @@ std::optional<gl::Caps> PageContexts::web() {
     return caps ? std::optional(web_caps(*caps)) : std::nullopt;
 }
 
-std::optional<gl::Caps> PageContexts::native() { return current_caps(native_, native_request_); }
+std::optional<gl::Caps> PageContexts::native() { return current_caps(native_, ""); }
 
 gl::Caps web_caps(gl::Caps caps) {
     caps.version = "WebGL 2";
@@ -122,25 +122,7 @@ Exit report_unfit(const PageOptions& options, PageContexts& contexts, const Open
     if (!native.fits) return exit_input;
     return complain(exit_input,
                     fmt::format("a browser cannot draw '{}': it has WebGL 2, which lacks what the errors above name",
-                                options.scene),
-                    "--baked SLIDER makes a page of pictures instead");
-}
-
-PageParts baked_parts(const PageOptions& options, const gl::Caps& caps, OpenedScene& opened, const Access& access,
-                      Deadline& deadline) {
-    const Scene& scene = opened.document->scene();
-    const auto [width, height] = options.size.value_or(std::pair(scene.window_size[0], scene.window_size[1]));
-    const Baking baking{options.baked, options.steps, width, height, options.samples, options.time, options.lossless};
-    Baked pictures = baked(*opened.document, opened.view, baking, caps, access.limits, deadline);
-    PageParts parts{title_for(options.scene, options.title), {}, {}, sizes_of(pictures.pictures), pictures.error};
-    if (!parts.error.empty()) return parts;
-    const std::string name = std::filesystem::path(options.scene).filename().string();
-    // The pictures have the values, rungs and view of the page.
-    Json json = scene_json(name, parts.title, options.link, {});
-    json["baked"] = std::move(pictures.json);
-    parts.scene = script_json(json);
-    parts.archive = content::base64(gzipped(archive(pictures.pictures)));
-    return parts;
+                                options.scene));
 }
 
 void list_files(const PageOptions& options, const PageParts& parts, std::size_t bytes) {
@@ -161,31 +143,26 @@ bool has_room_for_list(const std::string& output) {
 // Returns nullopt after it printed why there are none; `status` is then the exit status.
 std::optional<PageParts> parts_of_page(const PageOptions& options, const Access& access, Deadline& deadline,
                                        Exit& status) {
-    PageContexts contexts(options.context);
-    const bool live = options.baked.empty();
-    const auto caps = live ? contexts.web() : contexts.native();
+    PageContexts contexts;
+    const auto caps = contexts.web();
     status = exit_graphics;
     if (!caps) return std::nullopt;
     OpenedScene opened = opened_scene(options.scene, options.start, *caps, access);
     status = exit_input;
-    if (live && opened.document->runtime) {
+    if (opened.document->runtime) {
         const Diagnostics unfit = unfit_statements(*opened.document);
         opened.fits = opened.fits && unfit.empty();
         opened.text += snell::render(unfit, opened.document->sources);
     }
-    if (!opened.fits && live) {
+    if (!opened.fits) {
         opened.document.reset();
         status = report_unfit(options, contexts, opened, access);
         return std::nullopt;
     }
-    if (opened.fits && live) {
-        deadline.begin(fmt::format("compiling the rungs of '{}'", options.scene));
-        opened.text += unfit_rungs(*opened.document);
-    }
+    deadline.begin(fmt::format("compiling the rungs of '{}'", options.scene));
+    opened.text += unfit_rungs(*opened.document);
     fmt::print(stderr, "{}", opened.text);
-    if (!opened.fits) return std::nullopt;
-    return live ? page_parts(options.scene, options.title, options.link, opened, access)
-                : baked_parts(options, *caps, opened, access, deadline);
+    return page_parts(options.scene, options.title, options.link, opened, access);
 }
 
 }  // namespace
@@ -254,7 +231,7 @@ Exit make_page(const PageOptions& options) {
     if (!parts) return status;
     if (!parts->error.empty()) return complain(exit_input, parts->error);
     deadline.begin("writing the page");
-    const auto text = filled_page(page, {parts->title, parts->scene, parts->archive, options.baked.empty()});
+    const auto text = filled_page(page, {parts->title, parts->scene, parts->archive});
     if (!text)
         return complain(exit_input, "the browser's part of snell is of another version",
                         "'./dev web' in the folder of snell's sources builds it again");
@@ -312,8 +289,6 @@ std::optional<std::string> filled_page(std::string_view page, const PageData& da
     put(text, "<title>snell</title>", fmt::format("<title>{}</title>", content::escaped(data.title)), good);
     put(text, element(scene_begin, "null"), element(scene_begin, data.scene), good);
     put(text, element(archive_begin, ""), element(archive_begin, data.archive), good);
-    if (const std::size_t at = text.find(runtime_begin); !data.runtime && at != text.npos)
-        text.erase(at + runtime_begin.size(), text.find("</script>", at) - at - runtime_begin.size());
     return good ? std::optional(std::move(text)) : std::nullopt;
 }
 

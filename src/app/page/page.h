@@ -11,7 +11,6 @@
 
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
-#include "src/app/page/baked.h"
 #include "src/document/document.h"
 #include "src/gl/caps.h"
 #include "src/platform/headless.h"
@@ -29,14 +28,12 @@ struct Start {
 // Both contexts of a command, made when they are first needed.
 class PageContexts {
 public:
-    explicit PageContexts(std::string native) : native_request_(std::move(native)) {}
     // Each makes its context current and returns its capabilities, or nullopt after it printed why there is none. What
     // was made in the one must be destroyed before the other is asked for.
     std::optional<gl::Caps> web();
     std::optional<gl::Caps> native();
 
 private:
-    std::string native_request_;
     std::unique_ptr<HeadlessContext> web_, native_;
 };
 
@@ -69,16 +66,9 @@ struct PageOptions {
     Start start;
     std::string title;  // "": the name of the scene's file
     std::string link;   // where the text is; "": nowhere
-    std::vector<std::string> baked;
-    int steps = 0;
-    std::optional<std::pair<int, int>> size;  // of baked pictures; nullopt: the scene's
-    int samples = 4;
-    bool lossless = false;
-    double time = 0;
-    std::string context;  // for baked pictures, as for `snell render`
     Access access;
     bool grade = false;
-    double timeout = 20;  // in seconds, for reading the scene, and for a picture
+    double timeout = 20;  // in seconds, for reading the scene
 };
 
 // Writes the page, or prints why there is none.
@@ -116,7 +106,6 @@ struct PageData {
     std::string title;
     std::string scene;    // script_json()
     std::string archive;  // base64
-    bool runtime = true;  // false: pictures need none
 };
 
 // Returns nullopt if the template has not exactly one place for each of them.

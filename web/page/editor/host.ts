@@ -25,8 +25,7 @@ export interface EditorHost {
     folder?: Folder;
     // Where the scene is from, so that drafts of its texts find it.
     place: string;
-    // Undefined where there is no engine for the worker (ready pictures).
-    checker: Checker | undefined;
+    checker: Checker;
     // These files were edited or added, and these are their bytes: not every file is UTF-8, and line ends are the
     // author's; those that are `gone` are there no more. The page puts them into `files`, draws again, and calls show()
     // with what the engine says.

@@ -244,7 +244,7 @@ export class Session {
         const version = this.#version;
         const files = this.files();
         const absent: Checked = { state: 'absent' };
-        const answer = (await this.host.checker?.check(this.host.scene, files)) ?? absent;
+        const answer = (await this.host.checker.check(this.host.scene, files)) ?? absent;
         if (version !== this.#version || answer.state === 'replaced' || answer.state === 'stopped') return;
         if (answer.state === 'done') this.#showQuick(answer.problems);
         const changed = [...files].filter(([name, bytes]) => this.host.files.get(name) !== bytes);

@@ -29,8 +29,7 @@ import { complaint, inVain } from './vain.ts';
 
 export interface Contents {
     engine: Engine;
-    // Undefined: ready pictures, whose files are not the scene's.
-    checker: WorkerChecker | undefined;
+    checker: WorkerChecker;
     data: SceneData | undefined;
     unpacked: Unpacked;
 }
@@ -141,7 +140,7 @@ export class Page {
         const { engine, data, unpacked, checker } = contents;
         const files = new Map([...unpacked.files, ...unpacked.originals]);
         this.host = {
-            files: checker ? files : new Map(),
+            files,
             scene: data?.scene ?? '',
             place: `${location.origin}${location.pathname}\n${data?.scene ?? ''}`,
             checker,
@@ -161,7 +160,7 @@ export class Page {
             say: (message) => this.say(message),
         });
         this.painter = this.makePainter(engine);
-        this.fillPanel(checker !== undefined);
+        this.fillPanel();
         this.listen();
         if (!data) return this.welcome();
         this.layout.link.href = data.link;
@@ -188,7 +187,7 @@ export class Page {
         });
     }
 
-    private fillPanel(files: boolean): void {
+    private fillPanel(): void {
         const { layout, session } = this;
         const picture = makePictureDialog({
             engine: session.engine,
@@ -207,12 +206,11 @@ export class Page {
             textWithValues: () => this.say(saveTexts(this.host!.scene, session.engine.saved())),
             help: () => this.help.open(),
         };
-        this.tools = makeTools(session, actions, files);
+        this.tools = makeTools(session, actions);
         layout.tools.append(...this.tools.elements);
         this.panel = makePanel(session, this.divider.toggle, (message, about) => this.say(message, about), () => this.clock.time);
         layout.controls.append(this.panel.element);
         layout.app.append(picture.element);
-        layout.app.dataset.files = String(files);
         const none = this.contents?.data;
         const has = none && (none.values.length > 0 || none.rungs.length > 0 || none.view !== '');
         this.address = new Address(() => this.settings(), has ? 'initial' : '', () => this.follow());
@@ -428,7 +426,7 @@ export class Page {
     private async openFiles(scene: string, files: Map<string, Uint8Array>): Promise<void> {
         const { engine, checker } = this.contents!;
         this.progress('Decoding images…');
-        const decoded = checker ? await checker.decodeLarge(files) : new Map<string, Uint8Array>();
+        const decoded = await checker.decodeLarge(files);
         this.progress('Compiling…');
         await painted();
         for (const [name, bytes] of files) engine.write(name, decoded.get(name) ?? bytes);
@@ -519,7 +517,7 @@ export class Page {
 
     // Made when it is needed, or after the first picture.
     private makeEditor(): Editor | undefined {
-        if (this.editor || !this.host?.checker) return this.editor;
+        if (this.editor || !this.host) return this.editor;
         this.editor = makeEditor(this.host);
         this.layout.text.append(this.editor.element);
         if (this.host.scene !== '') this.editor.opened();

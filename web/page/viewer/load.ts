@@ -1,6 +1,5 @@
 // What the page has with it: the scene's data, its files, and the runtime.
 import { fromBase64, unpack, unzipped, type Unpacked } from '../archive.ts';
-import type { BakedScene } from '../baked.ts';
 
 export interface SceneData {
     scene: string;
@@ -10,7 +9,6 @@ export interface SceneData {
     view: string;
     // Address of the scene's text; '' if there is none.
     link: string;
-    baked?: BakedScene['baked'];
 }
 
 function block(id: string): string {
@@ -41,7 +39,6 @@ export function sceneOf(json: string): SceneData | undefined {
         rungs: strings(data.rungs),
         view: text(data.view),
         link: safeLink(text(data.link)),
-        baked: (data.baked as BakedScene['baked'] | null) ?? undefined,
     };
 }
 

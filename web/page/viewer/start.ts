@@ -1,5 +1,4 @@
 // Loads what the page has with it, and shows it.
-import { bakedEngine } from '../baked.ts';
 import { makeChecker, pageWorker, type WorkerChecker } from '../editor/checker.ts';
 import { Crash, guarded, type Engine } from '../engine.ts';
 import { loadEngine, prepareCanvas } from '../load_engine.ts';
@@ -16,7 +15,7 @@ export const noWebGl =
 
 interface Program {
     engine: Engine;
-    checker: WorkerChecker | undefined;
+    checker: WorkerChecker;
 }
 
 // The served form of the page is kept for times without a network.
@@ -42,12 +41,11 @@ async function loadProgram(page: Page, source: string): Promise<Program> {
 async function load(page: Page, source: string): Promise<void> {
     const data = readScene();
     page.progress('Unpacking…');
-    const program = data?.baked ? undefined : loadProgram(page, source);
-    const [unpacked, loaded] = await Promise.all([readArchive().finally(() => program && prepareCanvas(page.canvas)), program]);
+    const program = loadProgram(page, source);
+    const [unpacked, { engine, checker }] = await Promise.all([readArchive().finally(() => prepareCanvas(page.canvas)), program]);
     page.progress('Starting…');
-    const { engine, checker } = loaded ?? { engine: bakedEngine({ ...data!, baked: data!.baked! }, unpacked.files), checker: undefined };
     const error = await engine.start(page.canvas);
-    if (error !== '') return page.fail(data?.baked || showsWebGl() ? `There is no picture: ${error}` : noWebGl);
+    if (error !== '') return page.fail(showsWebGl() ? `There is no picture: ${error}` : noWebGl);
     await page.begin({ engine, checker, data, unpacked });
 }
 

@@ -23,8 +23,7 @@ export interface Tools {
     refresh(): void;
 }
 
-// `scene`: with files to download, which ready pictures do not have.
-export function makeTools(session: Session, actions: ToolActions, files: boolean): Tools {
+export function makeTools(session: Session, actions: ToolActions): Tools {
     const undo = button('Undo', () => session.undo(), { title: 'Ctrl+Z' });
     const redo = button('Redo', () => session.redo(), { title: 'Ctrl+Y' });
     const resetAll = button('Reset all', () => session.resetAll());
@@ -32,13 +31,14 @@ export function makeTools(session: Session, actions: ToolActions, files: boolean
     const save = [
         button('Copy link', actions.copyLink),
         button('Picture as PNG…', actions.picture),
-        ...(files ? [button('Scene as .zip', actions.zip), button('Text with these values', actions.textWithValues)] : []),
+        button('Scene as .zip', actions.zip),
+        button('Text with these values', actions.textWithValues),
     ];
     const menu = makeMenu('Save and share', { class: 'menu' }, () => save);
     save.forEach((each) => each.addEventListener('click', menu.close));
     const screen = document.fullscreenEnabled ? [button('Full screen', actions.fullScreen, { title: 'F' })] : [];
     // Of scenes that are from a folder, and of several.
-    const live = files ? [button('Save', actions.save, { title: 'Ctrl+S', class: 'of-folder' }), button('Scenes…', actions.scenes, { class: 'of-scenes' })] : [];
+    const live = [button('Save', actions.save, { title: 'Ctrl+S', class: 'of-folder' }), button('Scenes…', actions.scenes, { class: 'of-scenes' })];
     const help = button('?', actions.help, { 'aria-label': 'Help', title: 'Help' });
     const refresh = () => {
         undo.disabled = !session.history.canUndo && session.motions.length === 0;
@@ -46,7 +46,7 @@ export function makeTools(session: Session, actions: ToolActions, files: boolean
         resetAll.disabled = !session.shown || !session.anyChanged;
     };
     refresh();
-    return { elements: [undo, redo, resetAll, ...(files ? [resetView] : []), ...screen, ...live, menu.element, help], refresh };
+    return { elements: [undo, redo, resetAll, resetView, ...screen, ...live, menu.element, help], refresh };
 }
 
 export async function copyText(text: string): Promise<boolean> {
