@@ -81,6 +81,7 @@ const states = {
     },
     'ready pictures': async () => {
         await press(page, 'Discard', '.editor-dialog[open]');
+        await new Promise((resolve) => setTimeout(resolve, 300));
         await shows(page, baked);
     },
     'the page without a scene': async () => {

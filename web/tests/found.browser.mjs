@@ -227,6 +227,6 @@ test('mistakes of types name both, and a surplus brace the block before it', asy
         await page.close();
     }
     const { page } = await opened({ ...scene('b.glib'), ...program('gl_FragColor = vec4(uA);\n} }') });
-    await until(page, () => /the '}' before this one ends the block from here/.test(document.body.textContent));
+    await until(page, () => /the one before it ends the block that begins in line 2/.test(document.body.textContent));
     await page.close();
 });
