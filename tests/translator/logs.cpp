@@ -116,7 +116,7 @@ TEST(Logs, AUniformThatOnlyTheSceneHasIsToBeDeclared) {
     }
 }
 
-// Mesa says that types do not fit, and not which: the translation knows them.
+// Mesa says that types do not fit, and ANGLE that dimensions do not, but not which: the translation knows them.
 TEST(Logs, RefusedOperandsAreNamed) {
     struct Case {
         const char *statement, *log, *message, *help;
@@ -145,6 +145,12 @@ TEST(Logs, RefusedOperandsAreNamed) {
              Case{"float g = b ? f : v;",
                   "0:4(11): error: second and third operands of ?: operator must have matching types",
                   "'? :' chooses between a 'float' and a 'vec3'", "same type"},
+             Case{"float g = v;", "ERROR: 0:4: '=' : dimension mismatch", "a 'vec3' cannot be assigned to a 'float'",
+                  "length(…)"},
+             Case{"v2 = f;", "ERROR: 0:4: '=' : dimension mismatch", "a 'float' cannot be assigned to a 'vec3'",
+                  "vec3(…)"},
+             Case{"c.rg = v;", "ERROR: 0:4: '=' : dimension mismatch", "a 'vec3' cannot be assigned to a 'vec2'",
+                  ".xy"},
          }) {
         SCOPED_TRACE(c.statement);
         Translated t = fragment(

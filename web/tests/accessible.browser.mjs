@@ -78,6 +78,7 @@ const states = {
     },
     'the page without a scene': async () => {
         await press(page, 'Discard', '.editor-dialog[open]');
+        await new Promise((resolve) => setTimeout(resolve, 300));
         await page.goto(builtPage('snell.html'));
         await page.waitForSelector('.editor-welcome li');
     },

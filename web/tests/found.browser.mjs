@@ -226,7 +226,7 @@ test('mistakes of types name both, and a surplus brace the block before it', asy
         await until(page, (text) => new RegExp(text).test(document.querySelector('.problems').textContent), said.source);
         await page.close();
     }
-    const { page } = await opened({ ...scene('b.glib'), ...program('gl_FragColor = vec4(uA);\n} }') });
-    await until(page, () => /the '}' before this one ends the block from here/.test(document.body.textContent));
+    const { page } = await opened({ ...scene('b.glib'), ...program('gl_FragColor = vec4(uA);\n}') });
+    await until(page, () => /the one before it ends the block that begins in line 2/.test(document.body.textContent));
     await page.close();
 });

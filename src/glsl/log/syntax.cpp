@@ -235,7 +235,8 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
     } else if (a.word(a.at) == "}" && a.depth <= 0) {
         diagnostic.help = "there are more '}' than '{'";
         if (const std::size_t block = last_block(a); block < a.all.size())
-            diagnostic.notes.push_back({a.span(place.file, block), "the '}' before this one ends the block from here"});
+            diagnostic.help +=
+                fmt::format(": the one before it ends the block that begins in line {}", a.all[block].line);
     }
 }
 
