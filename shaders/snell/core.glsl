@@ -19,9 +19,12 @@ vec3 snellByLargest(vec3 v, float m) {
 // the sum of squares of 1e30 or 1e-30 is not a float.
 vec3 snellNormalize(vec3 v, vec3 fallback) {
     float m = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    v = snellByLargest(v, m);
-    float l2 = dot(v, v);
-    return (m > 0.0 && m < 3.0e38 && l2 > 0.0 && l2 < 4.0) ? v * inversesqrt(l2) : fallback;
+    if (m > 0.0 && m < 3.0e38) {
+        v = snellByLargest(v, m);
+        float l2 = dot(v, v);
+        if (l2 > 0.0 && l2 < 4.0) return v * inversesqrt(l2);
+    }
+    return fallback;
 }
 
 // mix() whose ends are exact: with weight 0, b may be infinite (0 times infinity is not a number). t is clamped.
@@ -56,7 +59,7 @@ float snellCosTransmitted2(float c, float n1, float n2) {
 // -1 too when an index is not positive.
 float snellCosTransmitted(float c, float n1, float n2) {
     float k = snellCosTransmitted2(clamp(c, 0.0, 1.0), n1, n2), eta = n1 / n2, eta2 = eta * eta;
-    bool passes = n1 > 0.0 && n2 > 0.0 && eta2 < 3.0e38 && k >= -4.0 * SNELL_EPSILON * eta2;
+    bool passes = all(bvec4(n1 > 0.0, n2 > 0.0, eta2 < 3.0e38, k >= -4.0 * SNELL_EPSILON * eta2));
     return passes ? sqrt(clamp(k, 0.0, 1.0)) : -1.0;
 }
 
