@@ -51,6 +51,7 @@ RUNGS = [("scenes/light/crystal/crystal.glib", "BEND=mesh")]
 # What OpenGL ES 3.0 lacks, by scene: the message that says so. All others are the same.
 REFUSED_BY_ES30 = {
     "Wireframe": "wireframe-unsupported",  # no glPolygonMode
+    "ObjPatch": "wireframe-unsupported",   # draws what it divides as wires
 }
 
 # By driver: the tests that are run, perhaps with a filter, the names of those that may fail, and why.

@@ -143,26 +143,27 @@ void place_on_line(const Entry& entry, const Context& context, Place& found) {
             return;
         }
     }
-    Aim target{.word = use_quoted ? quoted : std::string(), .ordinal = 0};
     const std::vector<std::string_view> rows = translated_lines(context.stage->text, entry.string, entry.line);
-    const auto aim_at = [&](const std::string& word) {
+    const auto aimed = [&](const std::string& word) -> std::optional<Word> {
+        Aim target{.word = word, .ordinal = 0};
         for (const std::string_view row : rows)
             if (const auto better = aim(entry, row, word, line)) {
                 target = *better;
-                return true;
+                break;
             }
-        return false;
+        std::optional<Word> last;
+        std::size_t seen = 0;
+        for (const Word& w : on_line)
+            if (text_of(text, w) == target.word && seen++ <= target.ordinal) last = w;
+        return last;
     };
-    // A conversion's types need not be written where it is.
-    const bool by_column = entry.kind == Kind::convert && entry.column > 0;
-    if (!by_column || !aim_at("")) aim_at(target.word);
-    if (target.word.empty()) return;
-    std::size_t seen = 0;
-    for (const Word& w : on_line) {
-        if (text_of(text, w) != target.word || seen > target.ordinal) continue;
-        found.span = {found.file, w.begin, w.end};
-        ++seen;
-    }
+    std::optional<Word> word = aimed(use_quoted ? quoted : std::string());
+    // A conversion's type need not be written in the statement that lacks it.
+    if (word && use_quoted && entry.kind == Kind::convert && entry.column > 0)
+        if (const auto begin = aimed(""); begin && begin->begin < word->begin &&
+                                          text.substr(begin->end, word->begin - begin->end).find(';') != text.npos)
+            word = begin;
+    if (word) found.span = {found.file, word->begin, word->end};
 }
 
 bool fits_link(const Entry& entry, const Declared& d, Stage stage) {
