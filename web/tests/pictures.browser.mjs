@@ -5,6 +5,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 
 import { basename, join } from 'node:path';
 import { before, test } from 'node:test';
 import { gunzipSync } from 'node:zlib';
+import { build } from 'esbuild';
 import { zipSync } from 'fflate';
 import { builtPage, chromium, drawn, drop, keepDownloads, press, root, run, savedPicture, tab, temporaryFolder, until } from './harness/browser.mjs';
 import { exceptions, refused } from './harness/exceptions.mjs';
@@ -34,17 +35,13 @@ const scenes = [...files, ...readdirSync(join(root, 'tests/cases')).map((name) =
     .sort();
 const nameOf = (path) => basename(path, '.glib');
 const packed = new Map(); // by name: the scene's name in its page, and its files
-let page, said, gallery;
+let page, said, gallery, filesOf;
 
 // What `snell web` put into a page: the files as the page reads them.
 function unpacked(html) {
     const block = (id) => new RegExp(`id="${id}">([^<]*)<`).exec(html)[1];
-    const archive = gunzipSync(Buffer.from(block('archive'), 'base64'));
-    const end = archive.indexOf(10);
-    const found = {};
-    let at = end + 1;
-    for (const { name, size } of JSON.parse(archive.subarray(0, end)).files) found[name] = archive.subarray(at, (at += size));
-    return { scene: JSON.parse(block('scene')).scene, files: found };
+    const { files } = filesOf(new Uint8Array(gunzipSync(Buffer.from(block('archive'), 'base64'))));
+    return { scene: JSON.parse(block('scene')).scene, files: Object.fromEntries(files) };
 }
 
 async function makeGallery(from) {
@@ -64,6 +61,9 @@ function drawNatively() {
 }
 
 before(async () => {
+    const reader = join(folder, 'archive.mjs');
+    await build({ entryPoints: [join(root, 'web/page/archive.ts')], bundle: true, platform: 'node', format: 'esm', outfile: reader });
+    ({ filesOf } = await import(reader));
     assert.equal(new Set(scenes.map(nameOf)).size, scenes.length, 'each scene has its own name');
     const made = Promise.all([makeGallery('scenes'), makeGallery('tests/cases'), drawNatively()]);
     // The page's own picture is not looked at.
