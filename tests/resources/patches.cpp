@@ -245,6 +245,48 @@ TEST_F(Patches, WhatTheyCannotDoIsSaidAtItsPlace) {
     EXPECT_EQ(document->sources.position(span.file, span.begin).line, 5);
 }
 
+// What the layout says is in no shader that stands for it.
+TEST_F(Patches, ProgramsThatDifferOnlyInTheirLayoutDoNotShareIt) {
+    folder.write("s.vert", pass_on);
+    folder.write("s.frag",
+                 "#version 400\nout vec4 c;\nvoid main() { c = vec4(gl_FrontFacing ? 1. : .4, .5, .2, 1.); }\n");
+    std::string scene = "Ortho -1 1 -1 1\nNumPatchVertices 4\nPointSize 3\nVertex s.vert\nFragment s.frag\n";
+    int name = 0;
+    for (const char* layout : {"quads, equal_spacing", "quads, fractional_odd_spacing, cw", "isolines",
+                               "quads, point_mode", "quads, fractional_even_spacing"}) {
+        const std::string file = fmt::format("{}.tes", name++);
+        folder.write(file,
+                     fmt::format("#version 400\nlayout({}) in;\nvoid main() {{\n    gl_Position = mix("
+                                 "gl_in[0].gl_Position, gl_in[2].gl_Position, vec4(gl_TessCoord.xy, 0., 0.));\n}}\n",
+                                 layout));
+        folder.write("s.tcs",
+                     "#version 400\nlayout(vertices = 4) out;\nvoid main() {\n"
+                     "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+                     "    for (int i = 0; i < 4; ++i) gl_TessLevelOuter[i] = 3.5;\n"
+                     "    gl_TessLevelInner[0] = gl_TessLevelInner[1] = 3.5;\n}\n");
+        scene += fmt::format("TessControl s.tcs\nTessEvaluation {}\nProgram P{}\nglBegin gl_patches\n", file, name);
+        for (const auto& [x, y] : {std::pair(-.9, -.9), std::pair(-.6, -.9), std::pair(-.6, .9), std::pair(-.9, .9)})
+            scene += fmt::format("glVertex {} {} 0\n", x + .35 * (name - 1), y);
+        scene += "glEnd\n";
+    }
+    compare([&] { return open(scene); });
+}
+
+TEST_F(Patches, ErrorsOfAGeometryShaderStandThere) {
+    folder.write("s.vert", pass_on);
+    folder.write("s.geom",
+                 "#version 330\nlayout(triangles) in;\nlayout(points, max_vertices = 1) out;\nvoid main() {\n"
+                 "    int k = vec3(1);\n    float z = q1 + 1.;\n    EmitVertex();\n}\n");
+    gl::leave_stages(caps);
+    const auto document = open("Vertex s.vert\nGeometry s.geom\nProgram P\nQuadXY\n");
+    std::vector<int> lines;
+    for (const Diagnostic& said : document->diagnostics.items())
+        if (document->sources.name(said.span.file).ends_with("s.geom"))
+            lines.push_back(document->sources.position(said.span.file, said.span.begin).line);
+    EXPECT_EQ(lines, (std::vector<int>{5, 6}));
+    complaints.clear();
+}
+
 TEST_F(PatchesEs, LessonDrawsWhatTheDriverDraws) {
     compare([&] { return open_file(SNELL_ROOT "/docs/teaching/06-geometry/solution/round.glib"); });
 }

@@ -45,6 +45,7 @@ asan() {
   findings asan
 }
 
+# One test of the server's limits the memory, which the sanitizer needs more of.
 quick() {
   local tests="parser translator plan lint language mesh image"
   cmake --preset asan >&2 && cmake --build build/asan --target snell snell_oiio snell_archive cli_tests \
@@ -52,7 +53,7 @@ quick() {
   rm -rf build/asan/findings
   mkdir -p build/asan/findings
   ctest --preset asan -j "$jobs" --no-tests=error \
-    -R "^(${tests// /|})_tests(_[0-9]+)?$|^server_" || failed+=("quick: tests")
+    -R "^(${tests// /|})_tests(_[0-9]+)?$|^server_" -E '^server_protocol$' || failed+=("quick: tests")
   export ASAN_OPTIONS="exitcode=66:log_path=$PWD/build/asan/findings/report"
   export UBSAN_OPTIONS="exitcode=66:print_stacktrace=1:log_path=$PWD/build/asan/findings/report"
   export LSAN_OPTIONS="print_suppressions=0:suppressions=$PWD/tests/sanitize/leaks.supp"

@@ -67,8 +67,15 @@ std::string key_of(const Program& program, const glsl::Translation& translation)
     for (const glsl::Settled& settled : translation.settled) add(fmt::format("{}={}", settled.name, settled.values[0]));
     add(fmt::format("{}{}", translation.uses_alpha, translation.plain_depth));
     add(translation.placed_by);
-    if (translation.tessellation) add(translation.tessellation->control.text);
-    if (translation.geometry) add(translation.geometry->capture.text);
+    if (const auto& t = translation.tessellation) {
+        add(t->control.text);
+        add(fmt::format("{} {} {} {}", t->domain, t->spacing, t->clockwise, t->points));
+    }
+    if (const auto& g = translation.geometry) {
+        add(g->count.text);
+        add(g->capture.text);
+        add(fmt::format("{} {} {} {}", g->input, g->output, g->invocations, g->vertices));
+    }
     std::vector<std::string_view> names;
     for (const UniformValue& uniform : program.uniforms) names.push_back(uniform.name);
     ranges::sort(names);
@@ -156,14 +163,17 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
 
 namespace {
 
+// What the driver says of a shader that it does not compile.
+void explain_shader(const std::string& log, const glsl::StageOutput& stage, const glsl::Translation& translation,
+                    const LinkRequest& request, Diagnostics& diagnostics) {
+    const std::string whole = log_with_includes(stage);
+    glsl::explain_log(whole.empty() ? log : whole, translation, &stage, request.program.span, request.program.name,
+                      request.sources, diagnostics, whole.empty() ? glsl::Lines::numbered : glsl::Lines::unnumbered);
+}
+
 // Returns null if a stage does not compile, or if the stages do not link.
 std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Translation& translation,
                                      Diagnostics& diagnostics) {
-    const auto explain = [&](const std::string& log, const glsl::StageOutput* stage,
-                             glsl::Lines lines = glsl::Lines::numbered) {
-        glsl::explain_log(log, translation, stage, request.program.span, request.program.name, request.sources,
-                          diagnostics, lines);
-    };
     auto linked = std::make_shared<LinkedProgram>();
     std::vector<const gl::Shader*> parts;
     for (const glsl::StageOutput& stage : translation.stages) {
@@ -171,16 +181,15 @@ std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Tra
         if (auto shader = compile(stage, request.store, request.counters, log)) {
             parts.push_back(shader.get());
             linked->shaders.push_back(std::move(shader));
-        } else if (const std::string whole = log_with_includes(stage); !whole.empty()) {
-            explain(whole, &stage, glsl::Lines::unnumbered);
         } else {
-            explain(log, &stage);
+            explain_shader(log, stage, translation, request, diagnostics);
         }
     }
     if (parts.size() < translation.stages.size()) return nullptr;
     gl::Linked result = gl::link(parts, attribute_locations(glsl::attribute_names()));
     if (!result.program) {
-        explain(result.log, nullptr);
+        glsl::explain_log(result.log, translation, nullptr, request.program.span, request.program.name, request.sources,
+                          diagnostics);
         return nullptr;
     }
     ++request.counters.programs_compiled;
@@ -201,10 +210,14 @@ bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Tr
         std::string log;
         auto& part = linked.parts.emplace_back(std::make_unique<LinkedProgram>());
         const auto shader = compile(*stage, request.store, request.counters, log);
-        gl::Linked made = shader ? link_capturing(*shader, *written, request.caps) : gl::Linked{{}, log};
+        if (!shader) {
+            explain_shader(log, *stage, translation, request, diagnostics);
+            return false;
+        }
+        gl::Linked made = link_capturing(*shader, *written, request.caps);
         if (!made.program) {
-            glsl::explain_log(made.log, translation, shader ? nullptr : stage, request.program.span,
-                              request.program.name, request.sources, diagnostics);
+            glsl::explain_log(made.log, translation, nullptr, request.program.span, request.program.name,
+                              request.sources, diagnostics);
             return false;
         }
         ++request.counters.programs_compiled;
