@@ -165,13 +165,13 @@ TEST_F(Stages, CountOnceForWhatTheCountsDependOn) {
     EXPECT_EQ(reads, (std::vector<std::uint64_t>{1, 0, 1, 0, 0, 1}));
 }
 
-// Said once, at the statement.
+// Said once for the same rungs, at the statement.
 TEST_F(Stages, MuchThatTheyEmitIsSaid) {
     folder.write("s.geom",
                  "#version 400 compatibility\nlayout(points) in; layout(points, max_vertices = 64) out;\n"
                  "uniform int uCount;\nvoid main() {\n"
                  "    for (int i = 0; i < uCount; ++i) { gl_Position = vec4(2.); EmitVertex(); }\n}\n");
-    std::string scene = "Geometry s.geom\nProgram P uCount <0 60 64>\nglBegin gl_points\n";
+    std::string scene = "Ladder KIND a b\nGeometry s.geom\nProgram P uCount <0 60 64>\nglBegin gl_points\n";
     for (int i = 0; i < 5000; ++i) scene += "glVertex 0 0 0\n";
     gl::leave_stages(caps);
     const auto document = open(scene + "glEnd\n");
@@ -185,8 +185,10 @@ TEST_F(Stages, MuchThatTheyEmitIsSaid) {
     EXPECT_EQ(costs.items()[0].code, "costly-stages");
     EXPECT_NE(costs.items()[0].message.find("320000 primitives"), std::string::npos) << costs.items()[0].message;
     const Span span = costs.items()[0].span;
-    EXPECT_EQ(document->sources.position(span.file, span.begin).line, 2);
+    EXPECT_EQ(document->sources.position(span.file, span.begin).line, 3);
     EXPECT_TRUE(said("uCount=64").empty());
+    document->controls.rungs = {document->runtime->rungs()[0] == 0 ? 1U : 0U};
+    EXPECT_EQ(said("uCount=64").items().size(), 1U);
 }
 
 // Each draw of one program has counts of its own, and so has each part of a mesh.
