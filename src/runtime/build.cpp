@@ -415,6 +415,7 @@ bool same(const Diagnostic& a, const Diagnostic& b) {
 bool Runtime::Impl::choose(const Rungs& rungs) {
     if (rungs == plan.rungs || !exist(rungs, plan.scene.ladders)) return false;
     plan.rungs = rungs;
+    costly.clear();
     forget_forms();
     Diagnostics all;
     textures.resume(all);

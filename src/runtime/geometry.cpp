@@ -13,6 +13,8 @@ namespace snell {
 namespace runtime {
 namespace {
 
+constexpr std::uint64_t most_captured = 300'000;  // primitives of a frame: more are seldom drawn in time
+
 std::array<bool, tree_parts> parts_read(const LinkedProgram& program) {
     std::array<bool, tree_parts> read{};
     for (const SamplerUniform& sampler : program.samplers)
@@ -82,6 +84,17 @@ void Runtime::Impl::ready_stages(runtime::ReadyDraw& ready, const content::Mesh*
     counters.gpu_bytes += gpu.stages->bytes;
     counters.bytes_uploaded += gpu.stages->bytes;
     counters.textures += 2;
+}
+
+void Runtime::Impl::find_costs() {
+    for (const auto& [program, sum] : captured) {
+        if (sum.primitives <= runtime::most_captured || !costly.insert(program).second) continue;
+        costs.warning("costly-stages", plan.scene.programs[program].span,
+                      fmt::format("without geometry shaders, which this OpenGL lacks, the {} primitives that this "
+                                  "program emits are written to memory for each picture, {} MB",
+                                  sum.primitives, sum.bytes / 1'000'000),
+                      fmt::format("up to {} are drawn well: draw less, or emit less of it", runtime::most_captured));
+    }
 }
 
 // Makes the parts that the draw's program is the first to read. `mesh` is the draw's mesh if it was just loaded; if it

@@ -202,6 +202,8 @@ struct Runtime::Impl {
     LoadedMesh take_mesh(Index mesh, Loading& loading);
     void ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading);
     void ready_stages(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
+    // Finds what the drawn frame captured more of than is drawn in time.
+    void find_costs();
     void bind_tree(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);
     void make_tree(runtime::GpuTree& tree, const content::Mesh& mesh, const std::array<bool, runtime::tree_parts>& read,
                    Index draw, Diagnostics& diagnostics);
@@ -341,6 +343,13 @@ struct Runtime::Impl {
     std::vector<std::shared_ptr<runtime::GpuTree>> trees;  // as `meshes`; what no program reads is not there
     std::optional<runtime::GpuMesh> axes;
     Counters counters;
+    // What vertex shaders that stand for other stages capture in the frame that is drawn, by Scene::programs.
+    struct Captured {
+        std::uint64_t primitives = 0, bytes = 0;
+    };
+    std::map<Index, Captured> captured;
+    std::set<Index> costly;  // programs whose costs were found
+    Diagnostics costs;       // that were not told yet
     bool savings = true;
     Watcher progress;
     std::shared_ptr<runtime::Store> store;  // shared with the runtimes that this one took over from

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -54,6 +55,7 @@ void Runtime::draw(const Frame& frame, const Surface& surface) {
     impl_->draw(frame, surface);
 }
 bool Runtime::specialise(const Frame& frame, const Surface& surface) { return impl_->specialise(frame, surface); }
+Diagnostics Runtime::take_costs() { return std::exchange(impl_->costs, {}); }
 void Runtime::skip_frame() { ++impl_->counters.frames_skipped; }
 bool Runtime::settled() const { return impl_->settled; }
 double Runtime::distance(Index draw, double depth, const Frame& frame, const Surface& surface) const {
@@ -171,6 +173,7 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     if (surface.width <= 0 || surface.height <= 0) return;
     take_parts(surface.part.has_value());
     state.forget();
+    captured.clear();
     if (frame.view.axes) ready_axes();
     if (!caps.es) glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // OpenGL ES 3 is always so
     const std::uint64_t before = state.changes();
@@ -212,6 +215,7 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     glUseProgram(0);
     counters.state_changes += state.changes() - before;
     ++counters.frames;
+    find_costs();
 }
 
 Vec4 Runtime::Impl::behind(const Frame& frame) const {
@@ -430,14 +434,20 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
         });
     };
     const auto elements = [&](std::uint32_t first, std::uint32_t count, std::size_t part) {
-        gl::AnySamples* const query = samples ? &*samples : nullptr;
+        const std::uint64_t primitives = counters.captured_primitives, bytes = counters.captured_bytes;
+        const runtime::Capturing with{state, samples ? &*samples : nullptr, counters};
         if (ready.patches)
-            ready.patches->draw(program, mesh, part, draw_color(ready), state, query);
+            ready.patches->draw(program, mesh, part, draw_color(ready), with);
         else if (ready.stages)
-            ready.stages->draw(program, *mesh.stages, part, mesh.has_color, draw_color(ready), 0, state, query);
+            ready.stages->draw(program, *mesh.stages, part, mesh.has_color, draw_color(ready), 0, with);
         else
             glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                            reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
+        if (counters.captured_primitives > primitives) {
+            Captured& sum = captured[plan.scene.draws[ready.draw].program];
+            sum.primitives += counters.captured_primitives - primitives;
+            sum.bytes += counters.captured_bytes - bytes;
+        }
         ++counters.draws;
         counters.triangles += runtime::triangle_count(mesh.topology, count);
         counters.lines += runtime::line_count(mesh.topology, count);

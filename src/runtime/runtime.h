@@ -127,6 +127,8 @@ public:
     // when some drivers compile. Frames of these values are drawn by such programs once all are there, and all others
     // by the programs for any values. The last few values are kept. False: there was nothing to do.
     bool specialise(const Frame& frame, const Surface& surface);
+    // What the frames since the last call were found to cost: once for each program, and again for other rungs.
+    Diagnostics take_costs();
     // What the last frame drew still stands: counted.
     void skip_frame();
     // False after a paced frame whose cube maps still show something older: the same frame again would be another.

@@ -90,6 +90,23 @@ TEST_F(CommandLine, PixelsThatAreNoNumbersAreCountedWhenAsked) {
     EXPECT_EQ(snell(good + " --quiet").output, "");
 }
 
+TEST_F(CommandLine, MuchThatShadersEmitIsSaidOnceWhereOpenGlHasNoStageForIt) {
+    folder.write("many.geom",
+                 "#version 400 compatibility\nlayout(points) in; layout(points, max_vertices = 128) out;\n"
+                 "void main() { for (int i = 0; i < 128; ++i) { gl_Position = vec4(2.); EmitVertex(); } }\n");
+    std::string scene = "Geometry many.geom\nProgram Many\nglBegin gl_points\n";
+    for (int i = 0; i < 2500; ++i) scene += "glVertex 0 0 0\n";
+    folder.write("many.glib", scene + "glEnd\n");
+    const std::string command = "render " + at("many.glib") + " -o " + at("o.png") + " --size 8x8 --frames 2";
+    EXPECT_FALSE(snell(command).says("[costly-stages]"));
+    const Outcome outcome = snell(command + " --without-stages");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(outcome.says("many.glib:2:1: warning: ")) << outcome.output;
+    const std::size_t first = outcome.output.find("[costly-stages]");
+    ASSERT_NE(first, std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find("[costly-stages]", first + 1), std::string::npos) << outcome.output;
+}
+
 TEST_F(CommandLine, FramesAreAtTheirTimes) {
     folder.write("timer.frag", "uniform float Timer;\nvoid main() { gl_FragColor = vec4(Timer, 0., 0., 1.); }\n");
     folder.write("timer.glib", "Timer 1\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment timer.frag\nProgram T\nQuadXY\n");

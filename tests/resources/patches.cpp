@@ -177,6 +177,18 @@ TEST_F(Patches, FollowTheirUniforms) {
     }
 }
 
+TEST_F(Patches, AskForLevelsOnceForWhatTheyDependOn) {
+    gl::leave_stages(caps);
+    const auto document = open_file(SNELL_ROOT "/docs/teaching/06-geometry/solution/round.glib");
+    std::vector<std::uint64_t> reads;
+    for (const char* value : {"uDetail=3", "uDetail=3", "uDetail=16", "uDetail=16", "uDetail=3"}) {
+        const std::uint64_t before = document->runtime->counters().stage_reads;
+        draw(*document, {.sets = {value}});
+        reads.push_back(document->runtime->counters().stage_reads - before);
+    }
+    EXPECT_EQ(reads, (std::vector<std::uint64_t>{2, 0, 2, 0, 2}));
+}
+
 constexpr std::string_view pass_on = "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n";
 
 // Each face has its levels, which a texture gives; a color comes from the mesh.

@@ -199,9 +199,14 @@ EMSCRIPTEN_KEEPALIVE void snell_zoom(Engine* engine, double factor) {
         apply({.scale = factor}, engine->scene.document()->scene(), 1, engine->scene.view, engine->hold);
 }
 
-EMSCRIPTEN_KEEPALIVE void snell_draw(Engine* engine, double time, int width, int height, double split, double mouse_x,
-                                     double mouse_y) {
-    if (engine->draws()) engine->drawing.draw(engine->scene, {time, width, height, split, mouse_x, mouse_y});
+// Returns "" or what the picture was found to cost, once.
+EMSCRIPTEN_KEEPALIVE const char* snell_draw(Engine* engine, double time, int width, int height, double split,
+                                            double mouse_x, double mouse_y) {
+    if (!engine->draws()) return engine->say("");
+    engine->drawing.draw(engine->scene, {time, width, height, split, mouse_x, mouse_y});
+    Document& document = *engine->scene.document();
+    const Diagnostics costs = document.runtime->take_costs();
+    return costs.empty() ? engine->say("") : engine->tell(problems_json(costs, document.sources));
 }
 
 EMSCRIPTEN_KEEPALIVE int snell_settle(Engine* engine, double time, int width, int height, double split, double mouse_x,

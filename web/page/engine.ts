@@ -155,7 +155,8 @@ export interface Engine {
     move(dx: number, dy: number, width: number, height: number, toward?: number): void;
     zoom(factor: number): void;
 
-    draw(frame: Frame): void;
+    // What the picture was found to cost is told once.
+    draw(frame: Frame): Problem[];
     // Compiles one more program for the values as they are. False: nothing is left to do.
     settle(frame: Frame): boolean;
     // RGBA bytes, the top row first, of any size that fits into the limits; a message otherwise.

@@ -41,7 +41,7 @@ interface Program {
     _snell_turn(engine: Pointer, dx: number, dy: number, begins: number): void;
     _snell_move(engine: Pointer, dx: number, dy: number, width: number, height: number, toward: number): void;
     _snell_zoom(engine: Pointer, factor: number): void;
-    _snell_draw(engine: Pointer, ...moment: Moment): void;
+    _snell_draw(engine: Pointer, ...moment: Moment): Pointer;
     _snell_settle(engine: Pointer, ...moment: Moment): number;
     _snell_picture(engine: Pointer, ...moment: [...Moment, number]): Pointer;
     _snell_preview(engine: Pointer, scene: Pointer, width: number, height: number): Pointer;
@@ -196,8 +196,9 @@ export class WasmEngine implements Engine {
         this.program._snell_zoom(this.engine, factor);
     }
 
-    draw(frame: Frame): void {
-        this.program._snell_draw(this.engine, ...moment(frame));
+    draw(frame: Frame): Problem[] {
+        const costs = this.program.UTF8ToString(this.program._snell_draw(this.engine, ...moment(frame)));
+        return costs ? (JSON.parse(costs) as Problem[]) : [];
     }
 
     settle(frame: Frame): boolean {

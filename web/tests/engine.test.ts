@@ -303,6 +303,19 @@ test('a lost context is taken up again with the values as they were', async () =
     said = said.filter((message) => !message.includes('CONTEXT_LOST_WEBGL'));
 });
 
+// WebGL has no geometry shaders, so what one emits is written to memory for each picture.
+test('a picture tells once that a shader emits much', async () => {
+    const engine = await started();
+    const costs = await engine.evaluate((e) => {
+        const emits = 'for (int i = 0; i < 64; ++i) { gl_Position = vec4(2.); EmitVertex(); }';
+        e.edit('s.geom', `#version 400\nlayout(points) in; layout(points, max_vertices = 64) out;\nvoid main() { ${emits} }\n`);
+        e.edit('s.glib', `Geometry s.geom\nProgram P\nglBegin gl_points\n${'glVertex 0 0 0\n'.repeat(5000)}glEnd\n`);
+        if (!e.engine.open('s.glib').ok) throw new Error('refused');
+        return [1, 2].map(() => e.engine.draw({ time: 0, width: 50, height: 50 }));
+    });
+    assert.deepEqual(costs.map((each) => each.map(({ code, at }) => [code, at?.line])), [[['costly-stages', 2]], []]);
+});
+
 test('a hundred edits do not make memory grow', async () => {
     const engine = await started();
     const files = filesBelow('scenes');

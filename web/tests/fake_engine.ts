@@ -135,11 +135,11 @@ export class FakeEngine implements Engine, WorkerEngine {
     zoom(factor: number): void {
         this.turned[2] = this.turned[2]! * factor;
     }
-    draw(frame: Frame): void {
+    draw(frame: Frame): Problem[] {
         ++this.frames;
         const { canvas } = this;
         const context = canvas?.getContext('2d');
-        if (!canvas || !context) return;
+        if (!canvas || !context) return [];
         Object.assign(canvas, { width: frame.width, height: frame.height });
         const [x, y, scale] = this.turned as [number, number, number];
         context.fillStyle = `hsl(${(y + 20 * frame.time) % 360} 60% 45%)`;
@@ -149,6 +149,7 @@ export class FakeEngine implements Engine, WorkerEngine {
             context.fillStyle = `hsl(${i * 40 + x} 70% 60%)`;
             context.fillRect((i * frame.width) / 14, frame.height - height, frame.width / 14 - 2, height);
         });
+        return [];
     }
     settle(): boolean {
         return ++this.settled < 2;

@@ -39,6 +39,16 @@ const retype = async (page, file, text) => {
     await page.keyboard.sendCharacter(text);
 };
 
+test('a picture for which a shader emits much says what it costs', async () => {
+    const emits = 'for (int i = 0; i < 64; ++i) { gl_Position = vec4(2.); EmitVertex(); }';
+    const { page } = await opened({
+        'm.glib': `Geometry m.geom\nProgram P\nglBegin gl_points\n${'glVertex 0 0 0\n'.repeat(5000)}glEnd\n`,
+        'm.geom': `#version 400\nlayout(points) in; layout(points, max_vertices = 64) out;\nvoid main() { ${emits} }\n`,
+    });
+    await until(page, () => /m\.glib:2:1: .*320000 primitives/.test(document.querySelector('.problems').textContent));
+    await page.close();
+});
+
 test('shaders that never end are not drawn unless the author wants it, and are after an edit', async () => {
     const { page } = await opened({ ...scene('e.glib'), ...program('float x = 0.;\nwhile (true) x += uA;\ngl_FragColor = vec4(x);') });
     await until(page, () => /p\.frag:4: .*for ever/.test(document.querySelector('.cover').textContent));

@@ -348,6 +348,7 @@ void Batch::draw(Open& open, const Shot& shot) {
     timings_.frame += records_.back().milliseconds;
     deadline_.rest();
     writer_.add(file, std::move(picture), wrong, size_.floats && runtime.display_pixels() == gl::Pixels::srgb8);
+    say(runtime.take_costs(), open.document->sources);
     if (frame.reached && !reached && wrong.empty() && !options_.quiet)
         say(nothing_in_view(*open.document, {frame.time, view, *controls}, size_.width, size_.height),
             open.document->sources);

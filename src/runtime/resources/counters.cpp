@@ -33,6 +33,9 @@ std::span<const CounterName> counter_names() {
                                          {"draws_culled", "", &Counters::draws_culled},
                                          {"uniform_uploads", "", &Counters::uniform_uploads},
                                          {"state_changes", "", &Counters::state_changes},
+                                         {"stage_reads", "", &Counters::stage_reads},
+                                         {"captured_primitives", "", &Counters::captured_primitives},
+                                         {"captured_bytes", "", &Counters::captured_bytes},
                                          {"cube_faces", "", &Counters::cube_faces},
                                          {"convolutions", "", &Counters::convolutions},
                                          {"gpu_bytes", "", &Counters::gpu_bytes}};

@@ -31,6 +31,9 @@ struct Counters {
     std::uint64_t specialised_draws = 0;  // by programs with settled uniforms as constants
     std::uint64_t draws_culled = 0;       // of the scene, out of view: not handed to the driver
     std::uint64_t uniform_uploads = 0, state_changes = 0;
+    // By vertex shaders that stand for other stages.
+    std::uint64_t stage_reads = 0;  // captures that the processor read: of counts, or levels
+    std::uint64_t captured_primitives = 0, captured_bytes = 0;
     std::uint64_t cube_faces = 0;    // drawn by RenderToCube
     std::uint64_t convolutions = 0;  // irradiance maps, prefiltered chains and sets of harmonics computed
     std::uint64_t gpu_bytes = 0;     // estimated, of what is held now

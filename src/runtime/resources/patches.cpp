@@ -50,11 +50,12 @@ std::vector<TessellationLevels> levels_of(const std::vector<float>& texels, std:
 
 }  // namespace
 
-void PatchDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t part, const Vec4& color, State& state,
-                     gl::AnySamples* samples) {
+void PatchDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t part, const Vec4& color,
+                     const Capturing& with) {
     const StageMesh& stages = *mesh.stages;
     const StageMesh::Part& of = stages.parts[part];
     if (of.count == 0) return;
+    State& state = with.state;
     if (parts_.size() < stages.parts.size()) parts_.resize(stages.parts.size());
     if (!parts_[part]) parts_[part] = std::make_unique<Part>();
     Part& made = *parts_[part];
@@ -64,14 +65,14 @@ void PatchDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t pa
     if (reads_textures(first) || !made.captured || made.depends != depends) {
         make_room(made, *program.tessellation, of.count, static_cast<GLenum>(program.stage_unit + 2), state);
         stages.bind(first, program.stage_unit, of, mesh.has_color, state);
-        control(made, program, of.count, none_.get(), state, samples);
+        control(made, program, of.count, none_.get(), with);
         made.depends = std::move(depends);
     }
     for (Piece& piece : made.pieces) {
         if (!made.kept) make(piece, made, program, state);
         state.texture(program.stage_unit + 2, GL_TEXTURE_2D, made.patches.get(), 0);
         if (program.geometry) {
-            piece.emitted.draw(program, *piece.stages, 0, false, color, made.version, state, samples);
+            piece.emitted.draw(program, *piece.stages, 0, false, color, made.version, with);
         } else if (piece.domain.count > 0) {
             state.program(program.program.get());
             state.vertex_array(piece.domain.array.get());
@@ -100,18 +101,19 @@ void PatchDraw::make_room(Part& part, const glsl::EmulatedTessellation& form, in
 }
 
 // Captures what the control stage gives, makes a texture of it, and divides the patches if their levels have changed.
-void PatchDraw::control(Part& part, LinkedProgram& program, int patches, GLuint none, State& state,
-                        gl::AnySamples* samples) {
+void PatchDraw::control(Part& part, LinkedProgram& program, int patches, GLuint none, const Capturing& with) {
     const glsl::EmulatedTessellation& form = *program.tessellation;
     const auto count = static_cast<std::size_t>(patches), runs = count * static_cast<std::size_t>(form.runs);
+    State& state = with.state;
     state.program(program.parts.front()->program.get());
     state.vertex_array(none);
-    capture(part.captured.get(), 0, static_cast<GLsizei>(runs), samples);
+    capture(part.captured.get(), 0, static_cast<GLsizei>(runs), with.samples);
 
     const auto stride = static_cast<std::size_t>(form.runs * form.slots) * 4;
     std::vector<float> texels(count * stride);
     glBindBuffer(GL_ARRAY_BUFFER, part.captured.get());
     gl::read_buffer(GL_ARRAY_BUFFER, texels.size() * sizeof(float), texels.data());
+    ++with.counters.stage_reads;
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     state.texture(program.stage_unit + 2, GL_TEXTURE_2D, part.patches.get(), 0);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(program.stage_unit + 2));

@@ -14,8 +14,7 @@ namespace snell::runtime {
 class PatchDraw {
 public:
     // As StageDraw::draw.
-    void draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t part, const Vec4& color, State& state,
-              gl::AnySamples* samples);
+    void draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t part, const Vec4& color, const Capturing& with);
 
 private:
     // The divided domains of some of the patches.
@@ -36,8 +35,7 @@ private:
         bool kept = true;
     };
     void make_room(Part& part, const glsl::EmulatedTessellation& form, int patches, GLenum unit, State& state);
-    static void control(Part& part, LinkedProgram& program, int patches, GLuint none, State& state,
-                        gl::AnySamples* samples);
+    static void control(Part& part, LinkedProgram& program, int patches, GLuint none, const Capturing& with);
     static void divide(Part& part, const LinkedProgram& program, State& state);
     static void make(Piece& piece, const Part& part, const LinkedProgram& program, State& state);
 

@@ -49,6 +49,15 @@ void fill(GLenum target, std::size_t bytes, const void* data) {
     glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
 }
 
+unsigned corners_of(const glsl::EmulatedGeometry& form) {
+    return form.output == "points" ? 1 : form.output == "line_strip" ? 2 : 3;
+}
+
+// Of what one run captures.
+std::size_t bytes_of_run(const glsl::EmulatedGeometry& form) {
+    return static_cast<std::size_t>(form.vertices) * form.integral.size() * 16;
+}
+
 GLenum list_mode(std::string_view output) {
     return output == "points" ? GL_POINTS : output == "line_strip" ? GL_LINES : GL_TRIANGLES;
 }
@@ -196,9 +205,10 @@ bool reads_textures(const LinkedProgram& part) {
 }
 
 void StageDraw::draw(LinkedProgram& program, const StageMesh& mesh, std::size_t part, bool has_color, const Vec4& color,
-                     double version, State& state, gl::AnySamples* samples) {
+                     double version, const Capturing& with) {
     const glsl::EmulatedGeometry& form = *program.geometry;
     const StageMesh::Part& of = mesh.parts[part];
+    State& state = with.state;
     LinkedProgram &counting = *program.parts.end()[-2], &capturing = *program.parts.back();
     if (parts_.size() < mesh.parts.size()) parts_.resize(mesh.parts.size());
     auto& slot = parts_[part];
@@ -211,39 +221,42 @@ void StageDraw::draw(LinkedProgram& program, const StageMesh& mesh, std::size_t 
     std::vector<double> depends = what_decides(counting, color);
     depends.push_back(version);
     if (reads_textures(counting) || !emitted.array || emitted.depends != depends) {
-        count(emitted, program, of, state, samples);
+        count(emitted, program, of, with);
         emitted.depends = std::move(depends);
     }
     for (const Piece& piece : emitted.pieces) {
         state.program(capturing.program.get());
         state.vertex_array(emitted.slots_array.get());
-        capture(captured_.get(), static_cast<GLint>(piece.first_slot), static_cast<GLsizei>(piece.slots), samples);
+        capture(captured_.get(), static_cast<GLint>(piece.first_slot), static_cast<GLsizei>(piece.slots), with.samples);
         state.program(program.program.get());
         state.vertex_array(emitted.array.get());
         glDrawElements(list_mode(form.output), static_cast<GLsizei>(piece.elements), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(piece.first_element * sizeof(std::uint32_t)));
+        with.counters.captured_primitives += piece.elements / corners_of(form);
+        with.counters.captured_bytes += piece.slots * bytes_of_run(form);
     }
 }
 
-void StageDraw::count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of, State& state,
-                      gl::AnySamples* samples) {
+void StageDraw::count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of,
+                      const Capturing& with) {
     const glsl::EmulatedGeometry& form = *program.geometry;
     const auto runs = static_cast<std::size_t>(of.count) * static_cast<std::size_t>(form.invocations);
     std::vector<std::uint32_t> counts(runs * form.counted.size());
     if (!none_) none_ = gl::VertexArray(gl::make(glGenVertexArrays));
-    state.program(program.parts.end()[-2]->program.get());
-    state.vertex_array(none_.get());
+    with.state.program(program.parts.end()[-2]->program.get());
+    with.state.vertex_array(none_.get());
     const std::size_t bytes = counts.size() * sizeof(std::uint32_t);
     if (bytes > 0) {
         const gl::Buffer counted(gl::make(glGenBuffers));
         glBindBuffer(GL_ARRAY_BUFFER, counted.get());
         fill(GL_ARRAY_BUFFER, bytes, nullptr);
-        capture(counted.get(), 0, static_cast<GLsizei>(runs), samples);
+        capture(counted.get(), 0, static_cast<GLsizei>(runs), with.samples);
         glBindBuffer(GL_ARRAY_BUFFER, counted.get());
         gl::read_buffer(GL_ARRAY_BUFFER, bytes, counts.data());
+        ++with.counters.stage_reads;
     }
     glBindBuffer(GL_ARRAY_BUFFER, 0);
-    list(emitted, form, counts, state);
+    list(emitted, form, counts, with.state);
 }
 
 // Lists the runs that capture what was counted, and joins the captured vertices to primitives.
@@ -251,7 +264,7 @@ void StageDraw::list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::
                      State& state) {
     const std::size_t stride = form.counted.size();
     const auto step = static_cast<std::uint32_t>(form.vertices);
-    const unsigned corners = form.output == "points" ? 1 : form.output == "line_strip" ? 2 : 3;
+    const unsigned corners = corners_of(form);
     std::vector<std::array<std::int32_t, 2>> slots;
     std::vector<std::uint32_t> elements;
     emitted.pieces.clear();
@@ -287,8 +300,7 @@ void StageDraw::list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::
 
 // Makes room for so many runs.
 void StageDraw::arrange(Emitted& emitted, const glsl::EmulatedGeometry& form, std::size_t slots, State& state) {
-    const std::size_t vertex = form.integral.size() * 16,
-                      bytes = slots * static_cast<std::size_t>(form.vertices) * vertex;
+    const std::size_t vertex = form.integral.size() * 16, bytes = slots * bytes_of_run(form);
     if (!captured_) captured_ = gl::Buffer(gl::make(glGenBuffers));
     glBindBuffer(GL_ARRAY_BUFFER, captured_.get());
     if (bytes > captured_bytes_) fill(GL_ARRAY_BUFFER, captured_bytes_ = bytes, nullptr);

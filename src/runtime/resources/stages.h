@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/gl/target.h"
+#include "src/runtime/resources/counters.h"
 #include "src/runtime/resources/mesh.h"
 #include "src/runtime/resources/program.h"
 
@@ -38,8 +39,13 @@ void join_parts(LinkedProgram& linked);
 // Links one of the parts.
 gl::Linked link_capturing(const gl::Shader& shader, const std::vector<std::string>& written, const gl::Caps& caps);
 
-// Writes what so many runs of the program in use output. `samples`: a query that is active, or null: it does not see
-// them.
+// What captures need, and change.
+struct Capturing {
+    State& state;
+    gl::AnySamples* samples;  // a query that is active, or null: it does not see captures
+    Counters& counters;
+};
+// Writes what so many runs of the program in use output.
 void capture(GLuint into, GLint first, GLsizei runs, gl::AnySamples* samples);
 // All numbers that decide what one of the parts writes, unless it reads textures.
 std::vector<double> what_decides(const LinkedProgram& part, const Vec4& color);
@@ -49,9 +55,9 @@ bool reads_textures(const LinkedProgram& part);
 class StageDraw {
 public:
     // Draws that part of the mesh. All uniforms and textures of the programs are set. `version`: of what the vertex
-    // stage reads besides. `samples`: as for capture().
+    // stage reads besides.
     void draw(LinkedProgram& program, const StageMesh& mesh, std::size_t part, bool has_color, const Vec4& color,
-              double version, State& state, gl::AnySamples* samples);
+              double version, const Capturing& with);
 
 private:
     // As much as one buffer holds; the rest waits for its turn.
@@ -64,8 +70,7 @@ private:
         gl::Buffer slots, elements;
         gl::VertexArray slots_array, array;
     };
-    void count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of, State& state,
-               gl::AnySamples* samples);
+    void count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of, const Capturing& with);
     void list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::span<const std::uint32_t> counts,
               State& state);
     void arrange(Emitted& emitted, const glsl::EmulatedGeometry& form, std::size_t slots, State& state);

@@ -179,6 +179,7 @@ export class Page {
                 const { width, height } = this.painter!.frame();
                 this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${divisor > 1 ? ', coarser' : ''}`;
             },
+            costs: (costs) => this.showProblems([...this.current, ...costs]),
             goesOn: (milliseconds, divisor) => this.goesOn(milliseconds, divisor),
             ticked: () => {
                 this.session.move(this.clock.time);

@@ -1,5 +1,5 @@
 // When the picture is drawn, and how large: only if something changed or time runs, at most once a frame of the display.
-import type { Engine, Frame } from '../engine.ts';
+import type { Engine, Frame, Problem } from '../engine.ts';
 import type { Clock } from './clock.ts';
 import { Coarseness } from './coarse.ts';
 
@@ -11,6 +11,8 @@ export interface PainterOptions {
     ready(): boolean;
     // After each picture but the small first one, when the graphics have finished it.
     drawn(milliseconds: number, divisor: number): void;
+    // What a picture was found to cost.
+    costs(costs: Problem[]): void;
     // The clock moved.
     ticked(): void;
     // A small picture took so long that whole ones would stop the page: whether they are drawn all the same.
@@ -190,7 +192,8 @@ export class Painter {
         frame.height = Math.max(Math.round(frame.height / this.divisor), 1);
         if (frame.mouse) frame.mouse = [frame.mouse[0] / this.divisor, frame.mouse[1] / this.divisor];
         this.began = now;
-        this.with_.engine.draw(frame);
+        const costs = this.with_.engine.draw(frame);
+        if (costs.length > 0) this.with_.costs(costs);
         ++this.frames;
         const gl = this.with_.canvas.getContext('webgl2');
         this.fence = gl?.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0) ?? null;
