@@ -56,10 +56,10 @@ REFUSED_BY_ES30 = {
 
 # By driver: the tests that are run, perhaps with a filter, the names of those that may fail, and why.
 TESTS = {
-    "zink": [("harness", "*", {}), ("cases", "*", {}), ("runtime", "*", {}), ("library", "*", {})],
+    "zink": [("harness", "*", {}), ("pictures", "*", {}), ("runtime", "*", {}), ("library", "*", {})],
     "softpipe": [
         ("harness", "*", {"Harness.AskedForADebugContext": "softpipe has no debug contexts"}),
-        ("cases", "Pictures.*:Cases.*", {"Pictures.ShowWhatTheCasesDraw": "softpipe has one sample a pixel"}),
+        ("pictures", "Pictures.*:Cases.*", {"Pictures.ShowWhatTheCasesDraw": "softpipe has one sample a pixel"}),
     ],
 }
 
