@@ -111,7 +111,7 @@ void pixel_keys(const Rect& scene, PixelMemory& memory) {
 
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
     if (!section("Pixels", open, layout, "pixels")) return;
-    ImGui::Checkbox("Mark invalid values", &memory.flags);
+    switch_box("Mark invalid values", memory.flags);
     layout.note("flags");
     tip("N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is drawn "
         "a "

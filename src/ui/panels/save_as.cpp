@@ -153,14 +153,14 @@ void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     row("Samples", "samples per pixel; more make edges smoother");
     whole("##samples", picture.samples, 4, layout, "picture samples", 64);
     follow(check_box_width("Transparent"), ImGui::GetFontSize());
-    ImGui::Checkbox("Transparent", &picture.transparent);
+    switch_box("Transparent", picture.transparent);
     tip("Leaves out the background (PNG and EXR only)");
     layout.note("picture transparent");
 }
 
 void sequence_rows(PictureMemory& picture, Layout& layout) {
     row("Sequence", "numbered pictures of a time span");
-    ImGui::Checkbox("##sequence", &picture.sequence);
+    switch_box("##sequence", picture.sequence);
     layout.note("picture sequence");
     if (!picture.sequence) return;
     row("Seconds");
