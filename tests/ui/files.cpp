@@ -160,7 +160,7 @@ TEST_F(FilePanels, TheBrowserOpensWhatIsClickedTwice) {
 
 TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     const std::vector<SceneCard> scenes{{"glass.glib", "", "/s/glass.glib", {7, 1.5F}},
-                                        {"sky.glib", "", "/s/sky.glib"}};
+                                        {"sky.glib", "", "/s/sky.glib", {.why = "sky.glib:1: no such file"}}};
     const std::vector<SceneCard> lessons{{"noise.glib", "02-noise", "/l/noise.glib"}};
     const std::string_view sentence = "waves, by a vertex shader that moves a flat square by noise";
     const std::vector<NewKind> kinds{{"blank", sentence}, {"noise", "marble"}};
@@ -178,6 +178,14 @@ TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     EXPECT_GT(text.y, 2.5F * ImGui::GetTextLineHeight());
     EXPECT_GT(whole.height, text.y + ImGui::GetTextLineHeight()) << "no word of a sentence is cut";
     EXPECT_EQ(place("browser.new.noise").height, whole.height) << "all are as high";
+    const auto told = [&](const std::string& name) {
+        const Rect at = place(name);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({}, 1);
+        return kit().tip.text;
+    };
+    EXPECT_EQ(told("browser.scene.sky.glib"), "/s/sky.glib\nNo picture: sky.glib:1: no such file");
+    EXPECT_EQ(told("browser.scene.glass.glib"), "/s/glass.glib");
     EXPECT_EQ(click_asks("browser.scene.glass.glib").open, "/s/glass.glib") << "one click opens it";
     EXPECT_FALSE(memory_.browser.open);
     begin();

@@ -118,7 +118,10 @@ void cards(const char* heading, const char* name, std::span<const SceneCard> sce
             close(memory.browser);
         }
         first = false;
-        tip(scene.path);
+        if (scene.picture.why.empty())
+            tip(scene.path);
+        else
+            tip(Text("{}\nNo picture: {}", scene.path, scene.picture.why).view());
         layout.note(name, scene.name);
         ImGui::PopID();
     }
@@ -210,7 +213,10 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
             {0, entry.folder ? ImGui::GetTextLineHeight() : picture_size().y});
         layout.note("browser.entry", entry.name);
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
-        if (width_of(entry.name) > 20 * em) tip(entry.name);
+        if (!entry.picture.why.empty())
+            tip(Text("{}\nNo picture: {}", entry.name, entry.picture.why).view());
+        else if (width_of(entry.name) > 20 * em)
+            tip(entry.name);
         if (chosen && (came || pressed(Key::up, true) || pressed(Key::down, true))) ImGui::SetScrollHereY();
         ImGui::PopID();
         if (clicked) {
