@@ -74,7 +74,10 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     layout.note(words.name + " file");
     tip(words.tip);
-    if (!dialog.folder.empty()) fitted("in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
+    if (!dialog.folder.empty()) {
+        fitted("in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
+        layout.note(words.name + " folder");
+    }
     ImGui::Spacing();
     questions(dialog, words.name, layout);
     const bool now = answered(dialog, words.word, words.name, layout) || entered;
@@ -224,6 +227,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     if (!picture.folder.empty()) {
         row("");
         fitted("in " + picture.folder, ImGui::GetContentRegionAvail().x, true);
+        layout.note("picture folder");
     }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())
