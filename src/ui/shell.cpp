@@ -118,8 +118,10 @@ struct Item {
 };
 
 bool item(const Item& item, Layout& layout) {
-    const bool chosen = ImGui::MenuItem(item.text, item.keys, item.on, item.enabled);
+    const bool clicked = ImGui::MenuItem(item.text, item.keys, item.on, item.enabled);
+    const bool chosen = item.enabled ? or_keys(clicked) : clicked;
     layout.note(item.name);
+    if (chosen) ImGui::CloseCurrentPopup();
     return chosen;
 }
 
@@ -195,7 +197,7 @@ void snapshot_row(const Facts& facts, Requests& requests, Layout& layout) {
         if (number > 1) follow(button_width("9"), gap);
         ImGui::PushID(number);
         if (!there) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-        if (ImGui::Button(fmt::format("{}", number).c_str())) {
+        if (or_keys(ImGui::Button(fmt::format("{}", number).c_str()))) {
             if (there && !ImGui::GetIO().KeyCtrl)
                 requests.restore_snapshot = number;
             else
@@ -406,7 +408,8 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     const bool cancels = pressed(Key::escape) && ImGui::IsAnyMouseDown();  // what is being dragged
     if (!ImGui::GetIO().WantTextInput && !dialog && !cancels) {
         keys(facts, view, memory, requests);
-        if (menu == Menu::open && any_pressed()) memory.menu = Menu::closing;
+        const bool tabs = pressed(Key::tab, true) || pressed(Key::enter) || pressed(Key::space);
+        if (menu == Menu::open && any_pressed() && !(tabs && kit().focus.presses)) memory.menu = Menu::closing;
     }
     const Areas parts = areas(memory);
     follow_ladder(controls.rungs, memory.accuracy);

@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "src/app/desktop/folder.h"
+#include "src/app/desktop/scene_pictures.h"
 #include "src/app/desktop/settings.h"
 #include "src/app/window/opener.h"
 #include "tests/scratch.h"
@@ -24,6 +26,27 @@ std::vector<std::string> names(const ui::Listing& listing) {
 }
 
 using Names = std::vector<std::string>;
+
+TEST(ScenePictures, SayWhyThereIsNone) {
+    const Scratch folder;
+    folder.write("bad.glib", "Spere 1\n");
+    folder.write("draw",
+                 "#!/bin/sh\necho 'bad.glib:9:1: warning: odd'\necho 'bad.glib:1:1: error: no such command'\necho "
+                 "more\nexit 1\n");
+    ASSERT_EQ(chmod(folder.path("draw").c_str(), 0700), 0);
+    ScenePictures pictures(folder.path("pictures"), folder.path("draw"));
+    const std::string scene = folder.path("bad.glib");
+    pictures.want({scene});
+    EXPECT_EQ(pictures.why(scene), "") << "nobody tried";
+    std::string made;
+    for (int i = 0; i < 2000 && made.empty(); ++i) {
+        made = pictures.look();
+        usleep(5000);
+    }
+    EXPECT_EQ(made, scene);
+    EXPECT_EQ(pictures.why(scene), "bad.glib:1:1: error: no such command");
+    EXPECT_EQ(pictures.look(), "") << "once is enough";
+}
 
 TEST(Folder, FoldersThenScenesAsPeopleSortThem) {
     const Scratch folder;

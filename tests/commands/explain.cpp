@@ -194,8 +194,9 @@ TEST_F(Explain, TextSaysTheSame) {
     const Outcome outcome = snell("explain " + folder.path("scene.glib") + " --reps 3 --size 32x32");
     EXPECT_EQ(outcome.status, 0);
     for (const char* words : {"PAYS FOR", "Texture2D 4 t4.bmp 8x4", "scene.glib:5: read by uUnit of A", "NOT PAID FOR",
-                              "DECLARED BUT UNUSED", "no draw samples it"})
+                              "DECLARED BUT UNUSED", "no draw samples it", "0.1 kB"})
         EXPECT_TRUE(outcome.says(words)) << words << "\n" << outcome.output;
+    EXPECT_FALSE(outcome.says("KiB")) << "the same unit as everywhere";
     EXPECT_EQ(snell("explain " + folder.path("nothing.glib")).status, 1);
 }
 

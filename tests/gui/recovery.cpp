@@ -53,6 +53,26 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
     EXPECT_EQ(state()["errors"], 0);
 }
 
+TEST_F(Recovery, WhatIsOnTheRightOfTwoStatesWasDrawnWell) {
+    open("scene.glib", {"--lose-file", file("lose")});
+    ASSERT_TRUE(shows(red));
+    user("key s");
+    settle();
+    click("accuracy.left");
+    click("left.saved");
+    settle();
+    click("accuracy.right");
+    click("right.now");
+    settle();
+    save("paint.frag", paint("uPaint.grb"));
+    ASSERT_TRUE(shows(green));
+    settle();
+    save("lose", "");
+    save("paint.frag", paint("uPaint.bgr"));
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1 && state["stale"] == true; }));
+    EXPECT_TRUE(shows(green)) << "the scene's picture, which was at the right";
+}
+
 // An editor's text holds until its file is saved, whatever happens to the context, and to the window, afterwards.
 TEST_F(Recovery, ATextThatWasSavedDoesNotComeBack) {
     const std::string path = file("paint.frag");

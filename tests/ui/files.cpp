@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <imgui.h>
+
 #include "src/ui/kit/text.h"
 #include "src/ui/panels/panels.h"
 #include "src/ui/shell.h"
@@ -158,9 +160,10 @@ TEST_F(FilePanels, TheBrowserOpensWhatIsClickedTwice) {
 
 TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     const std::vector<SceneCard> scenes{{"glass.glib", "", "/s/glass.glib", {7, 1.5F}},
-                                        {"sky.glib", "", "/s/sky.glib"}};
+                                        {"sky.glib", "", "/s/sky.glib", {.why = "sky.glib:1: no such file"}}};
     const std::vector<SceneCard> lessons{{"noise.glib", "02-noise", "/l/noise.glib"}};
-    const std::vector<NewKind> kinds{{"blank", "a lit ball"}, {"noise", "marble"}};
+    const std::string_view sentence = "waves, by a vertex shader that moves a flat square by noise";
+    const std::vector<NewKind> kinds{{"blank", sentence}, {"noise", "marble"}};
     facts_.examples = {scenes, lessons};
     facts_.kinds = kinds;
     const auto begin = [&] { choose("open", "open"); };
@@ -169,6 +172,20 @@ TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
                              "browser.new.blank", "browser.new.noise"})
         EXPECT_TRUE(has(name)) << name;
     EXPECT_FALSE(has("browser.entry.ball.glib"));
+    const Rect whole = place("browser.new.blank");
+    const ImVec2 text = ImGui::CalcTextSize(sentence.data(), sentence.data() + sentence.size(), false,
+                                            whole.width - ImGui::GetFontSize());
+    EXPECT_GT(text.y, 2.5F * ImGui::GetTextLineHeight());
+    EXPECT_GT(whole.height, text.y + ImGui::GetTextLineHeight()) << "no word of a sentence is cut";
+    EXPECT_EQ(place("browser.new.noise").height, whole.height) << "all are as high";
+    const auto told = [&](const std::string& name) {
+        const Rect at = place(name);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({}, 1);
+        return kit().tip.text;
+    };
+    EXPECT_EQ(told("browser.scene.sky.glib"), "/s/sky.glib\nNo picture: sky.glib:1: no such file");
+    EXPECT_EQ(told("browser.scene.glass.glib"), "/s/glass.glib");
     EXPECT_EQ(click_asks("browser.scene.glass.glib").open, "/s/glass.glib") << "one click opens it";
     EXPECT_FALSE(memory_.browser.open);
     begin();

@@ -77,7 +77,13 @@ TEST_F(FoundPanel, EachGroupHasItsHeading) {
     EXPECT_FALSE(has("found.heading.What the picture lacks"));
     EXPECT_FALSE(has("found.heading.Changes nothing"));
     add("2", FoundRow::Group::better);
+    EXPECT_FALSE(has("found.heading.Not cheaper"));
     add("3", FoundRow::Group::unused);
+    add("5", FoundRow::Group::dearer);
+    const Rect dearer = place("found.heading.Not cheaper"), fourth = place("found.row.5");
+    EXPECT_LT(place("found.row.1").y, dearer.y);
+    EXPECT_LT(dearer.y, fourth.y);
+    EXPECT_LT(fourth.y, place("found.heading.What the picture lacks").y);
     add("4", FoundRow::Group::untried).remark = "the time was up";
     const Rect cheaper = place("found.heading.Cheaper"), first = place("found.row.1");
     const Rect better = place("found.heading.What the picture lacks"), second = place("found.row.2");

@@ -1,4 +1,6 @@
 // What is kept and saved: buttons and keys become requests, fields become numbers.
+#include <imgui.h>
+
 #include <cmath>
 
 #include "tests/ui/screen.h"
@@ -32,6 +34,23 @@ protected:
     }
     static Key digit(int number) { return static_cast<Key>(static_cast<int>(Key::one) + number - 1); }
 };
+
+TEST_F(UiKeep, SaveAsSaysInWhichFolder) {
+    open_save_as(memory_.save_as, "a.glib", "~/scenes");
+    EXPECT_TRUE(has("save as folder"));
+    EXPECT_EQ(place("save as folder").width, ImGui::CalcTextSize("in ~/scenes").x);
+    memory_.save_as.open = false;
+    open_save_as(memory_.save_as, "a.glib", "");
+    EXPECT_FALSE(has("save as folder"));
+}
+
+TEST_F(UiKeep, RewindBeginsAgainAndGoesOn) {
+    facts_.animated = true;
+    memory_.clock.time = 7.5;
+    click(place("rewind"));
+    EXPECT_EQ(memory_.clock.time, 0);
+    EXPECT_FALSE(memory_.clock.paused);
+}
 
 TEST_F(UiKeep, EveryDigitIsASnapshot) {
     for (int number = 1; number <= snapshot_count; ++number) {

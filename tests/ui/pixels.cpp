@@ -57,6 +57,8 @@ TEST_F(UiPixels, TheInspectorIsSeenWholeAndLeavesThePointerFree) {
         EXPECT_TRUE(inside(box, memory_.scene)) << x << ", " << y;
         EXPECT_FALSE(box.contains(x, y));
     }
+    const Rect whole = place("inspector"), last = place("inspector.place");
+    EXPECT_LT(last.y + last.height, whole.y + whole.height) << "its last line is not cut";
     // Where neither side has room, it is above or below.
     screen_.width = 800;
     screen_.height = 600;

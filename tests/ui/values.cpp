@@ -177,6 +177,68 @@ TEST_F(Values, TabReachesCheckBoxesWhichEnterSwitches) {
     EXPECT_GT(value(2), .2) << "the next one has the focus";
 }
 
+// Ladders, menus, sections and buttons, from the value that Tab reaches first.
+TEST_F(Values, TabReachesEverythingThatTheMouseDoes) {
+    scene_.ladders.push_back({.name = "Roughness", .rungs = {"smooth", "rough", "exact"}});
+    controls_.rungs = {0};
+    add_slider("uA", 0, .1, 9);
+    frame();
+    press(Key::tab);
+    press(Key::enter);
+    type("3");
+    ASSERT_EQ(value(), 3) << "values first";
+    facts_.animated = true;  // the space bar pauses the time
+    const auto go_to = [&](auto&& reached, Modifiers modifiers) {
+        for (int i = 0; i < 30; ++i) {
+            if (reached()) return true;
+            press(Key::tab, modifiers);
+        }
+        return false;
+    };
+    const auto at_ladder = [&] {
+        press(Key::down);
+        return controls_.rungs[0] == 1;
+    };
+    const Modifiers shift{.shift = true};
+    ASSERT_TRUE(go_to(at_ladder, shift)) << "the ladder is above the section";
+    press(Key::down);
+    press(Key::down);
+    EXPECT_EQ(controls_.rungs[0], 2u) << "the last rung";
+    press(Key::up);
+    EXPECT_EQ(controls_.rungs[0], 1u);
+    press(Key::enter);
+    EXPECT_TRUE(has("Roughness.exact")) << "Enter opens the list";
+    press(Key::down);
+    EXPECT_EQ(controls_.rungs[0], 2u);
+    press(Key::enter);
+    EXPECT_FALSE(has("Roughness.exact")) << "and closes it";
+    const auto at_reset = [&] {
+        press(Key::space);
+        return value() == .1;
+    };
+    const bool paused = memory_.clock.paused;
+    ASSERT_TRUE(go_to(at_reset, {})) << "Reset all";
+    EXPECT_EQ(memory_.clock.paused, paused) << "the space bar presses the button, and does nothing else";
+}
+
+TEST_F(Values, TabGoesThroughAMenu) {
+    add_slider("uA", 0, .1, 9);
+    frame();
+    press(Key::tab);
+    for (int i = 0; i < 30 && !has("axes"); ++i) {
+        press(Key::tab, {.shift = true});
+        press(Key::enter);
+    }
+    ASSERT_TRUE(has("axes")) << "Enter opens a menu";
+    const bool axes = view_.axes;
+    press(Key::tab);
+    press(Key::tab);
+    EXPECT_TRUE(has("axes"));
+    press(Key::enter);
+    EXPECT_EQ(view_.axes, !axes) << "its second entry";
+    EXPECT_FALSE(has("axes")) << "a choice closes the menu";
+}
+
 TEST_F(Values, TabStaysWithWhatIsNoNumber) {
     add_slider("uA", 0, .1, 9);
     add_slider("uB", 0, .2, 9);

@@ -196,7 +196,10 @@ const ui::SmallPicture& Gallery::picture(const std::string& path) {
     Loaded& loaded = place->second;
     if (!fresh) return loaded.picture;
     const std::optional<content::Image> image = read_thumbnail(folder_, path);
-    if (!image || image->width < 1 || image->height < 1) return loaded.picture;
+    if (!image || image->width < 1 || image->height < 1) {
+        loaded.picture.why = maker_.why(path);
+        return loaded.picture;
+    }
     const gl::Texels texels{gl::Pixels::rgba8, image->width, image->height, 1, image->pixels.data()};
     loaded.texture = gl::make_texture(GL_TEXTURE_2D, texels, {.clamp = true});
     loaded.picture = {loaded.texture.get(), static_cast<float>(image->width) / static_cast<float>(image->height)};

@@ -519,6 +519,7 @@ bool App::draw_scene() {
         const bool drew =
             display_.draw_beside({revision, std::move(other), beside->controls.rungs, showing}, *beside, density);
         hang_.rest();
+        if (drew && beside == &document && !lost()) session.drawn_well();
         return drew;
     };
     if (!display_.prepare({revision, stand, document.controls.rungs, showing, object}, shown, wanted))

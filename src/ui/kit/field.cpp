@@ -64,23 +64,20 @@ bool apply(double& value, double entered) {
 
 }  // namespace
 
-bool focusable(const ImRect& box, ImGuiID id) {
+bool focusable(const ImRect& box, ImGuiID id, bool value) {
     Focus& focus = kit().focus;
     if (!reachable()) return false;
-    if (focus.passed && focus.after == 0) focus.after = id;
-    if (focus.first == 0) focus.first = id;
-    if (focus.at == id) {
-        focus.before = focus.last;
-        focus.passed = true;
-        if (focus.tabbed) ImGui::ScrollToRect(ImGui::GetCurrentWindow(), box);
-    }
-    focus.last = id;
-    return focus.at == id;
+    focus.stops.push_back({id, value});
+    if (focus.at != id) return false;
+    focus.passed = true;
+    if (focus.tabbed) ImGui::ScrollToRect(ImGui::GetCurrentWindow(), box);
+    return true;
 }
 
 void take_focus(ImGuiID id) {
     kit().focus.at = id;
     kit().focus.taken = true;
+    kit().focus.presses = false;
 }
 
 void draw_focus(const ImRect& box, ImGuiID id) {

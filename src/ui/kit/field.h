@@ -8,11 +8,11 @@
 
 namespace snell::ui {
 
-// Adds a value to the order of Tab. Call it for every value in the order on screen, also while it is scrolled out of
-// view. Returns true if the value has the keyboard's focus.
-bool focusable(const ImRect& box, ImGuiID id);
+// Adds a value, or what keys only press, to the order of Tab. Call it for each in the order on screen, also while it is
+// scrolled out of view. Returns true if it has the keyboard's focus.
+bool focusable(const ImRect& box, ImGuiID id, bool value = true);
 void take_focus(ImGuiID id);
-// Draws a ring around the value if it has the focus.
+// Draws a ring around the widget if it has the focus.
 void draw_focus(const ImRect& box, ImGuiID id);
 // The steps that the keyboard asks for, if the value has the focus: 1 for an arrow key, .1 with Shift, 10 for a Page
 // key.

@@ -54,22 +54,37 @@ void close_popups() {
     if (kit().swallows) std::fill(std::begin(g.IO.MouseDown), std::end(g.IO.MouseDown), false);
 }
 
+// Where Tab leads, or with Shift the other way: after the last stop comes the first one.
+const Focus::Stop* next_stop(const Focus& focus) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const std::size_t count = focus.stops.size();
+    const auto found = ranges::find(focus.stops, focus.at, &Focus::Stop::id);
+    const bool values = io.WantTextInput || found == focus.stops.end();
+    std::size_t at = static_cast<std::size_t>(found - focus.stops.begin());
+    if (at == count && !io.KeyShift) at = count - 1;  // the next one is the first
+    for (std::size_t i = 0; i < count; ++i) {
+        at = (at + (io.KeyShift ? count - 1 : 1)) % count;
+        if (focus.stops[at].value || !values) return &focus.stops[at];
+    }
+    return count == 0 || io.WantTextInput ? nullptr : &(io.KeyShift ? focus.stops.back() : focus.stops.front());
+}
+
 void move_focus(Focus& focus) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool tab = pressed(Key::tab, true) && !io.KeyCtrl && !io.KeyAlt;
-    focus.tabbed = false;
-    if (tab && !focus.refused && focus.first != 0) {
-        const unsigned next = io.KeyShift ? (focus.passed && focus.before ? focus.before : focus.last)
-                                          : (focus.passed && focus.after ? focus.after : focus.first);
+    const bool tab = pressed(Key::tab, true) && !io.KeyCtrl && !io.KeyAlt && !focus.refused;
+    const Focus::Stop* next = tab ? next_stop(focus) : nullptr;
+    focus.tabbed = next != nullptr;
+    if (next) {
         focus.opens = io.WantTextInput;
-        focus.tabbed = true;
-        focus.at = next;
+        focus.at = next->id;
+        focus.presses = !next->value;
         ImGui::ClearActiveID();
     } else if (!focus.taken && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         focus.at = 0;
     }
+    focus.presses = focus.presses && focus.at != 0 && (next || focus.passed);
     focus.refused = focus.taken = focus.passed = false;
-    focus.first = focus.last = focus.before = focus.after = 0;
+    focus.stops.clear();
 }
 
 // Draws the text below its item, or beside the item's window, where it covers no neighbour.

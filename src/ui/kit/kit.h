@@ -45,15 +45,21 @@ private:
     std::vector<Placed> items_;
 };
 
-// The value that the keyboard acts on. Tab goes through the values in the order in which they are drawn.
+// The widget that the keyboard acts on. Tab goes through the widgets in the order in which they are drawn: from a
+// field, and where nothing has the focus, to values only, and from there to buttons and drop-downs as well.
 struct Focus {
-    unsigned at = 0;                                      // id of the widget; 0 if there is none
-    bool tabbed = false;                                  // Tab moved it here, so the widget is scrolled into view
-    bool opens = false;                                   // the widget opens its field
-    bool refused = false;                                 // the field holds no number, so Tab stays
-    bool taken = false;                                   // a widget took the focus in this frame
-    bool passed = false;                                  // the widget with the focus was drawn in this frame
-    unsigned first = 0, last = 0, before = 0, after = 0;  // ids of this frame
+    struct Stop {
+        unsigned id = 0;
+        bool value = true;  // a button or a drop-down is none
+    };
+    unsigned at = 0;          // id of the widget; 0 if there is none
+    bool tabbed = false;      // Tab moved it here, so the widget is scrolled into view
+    bool opens = false;       // the widget opens its field
+    bool presses = false;     // Enter and the space bar press the widget, and do nothing else
+    bool refused = false;     // the field holds no number, so Tab stays
+    bool taken = false;       // a widget took the focus in this frame
+    bool passed = false;      // the widget with the focus was drawn in this frame
+    std::vector<Stop> stops;  // of this frame
 };
 
 // The text of the number that is being typed. It is applied when the user enters it, not before.

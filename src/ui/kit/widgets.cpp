@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "src/ui/kit/field.h"
+#include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
 
 namespace snell::ui {
@@ -29,8 +31,32 @@ void to_right(float width) {
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
 }
 
+namespace {
+
+// Of the widget that has the focus.
+bool pressing() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || io.KeyCtrl || io.KeyAlt) return false;
+    for (const Key key : {Key::enter, Key::keypad_enter, Key::space}) {
+        if (!pressed(key)) continue;
+        take(key);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool or_keys(bool clicked) {
+    const ImRect box(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    const ImGuiID id = ImGui::GetItemID();
+    const bool focused = focusable(box, id, false);
+    draw_focus(box, id);
+    return (focused && pressing()) || clicked;
+}
+
 bool button(const char* text, Layout& layout, std::string_view name) {
-    const bool pressed = ImGui::Button(text);
+    const bool pressed = or_keys(ImGui::Button(text));
     layout.note(name);
     return pressed;
 }
@@ -104,11 +130,29 @@ bool fitted(std::string_view text, float width, bool dim) {
     return false;
 }
 
+bool header(const char* title, int flags) {
+    const bool open = ImGui::CollapsingHeader(title, flags);
+    return open != toggled_by_keys(open);
+}
+
+bool toggled_by_keys(bool open) {
+    if (!or_keys(false)) return false;
+    ImGui::GetStateStorage()->SetBool(ImGui::GetItemID(), !open);
+    return true;
+}
+
+bool switch_box(const char* text, bool& on) {
+    const bool clicked = ImGui::Checkbox(text, &on);
+    const bool switched = or_keys(clicked);
+    if (switched && !clicked) on = !on;
+    return switched;
+}
+
 bool section(const char* title, Titles& open, Layout& layout, const char* name) {
     show_opened();
     const auto kept = open.find(std::string_view(title));
     ImGui::SetNextItemOpen(kept != open.end());
-    const bool opened = ImGui::CollapsingHeader(title);
+    const bool opened = header(title);
     layout.note(name);
     keep_in_view(opened);
     if (opened && kept == open.end()) open.emplace(title);
@@ -163,11 +207,22 @@ bool tab(const char* title, bool chosen, Layout& layout, const char* name) {
     return pressed;
 }
 
-bool begin_combo(const char* id, const char* chosen) {
+bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::size_t count) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const Rect box{at.x, at.y, ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
-    const bool open = ImGui::BeginCombo(id, chosen);
+    const ImRect whole(at, {box.x + box.width, box.y + box.height});
+    const ImGuiID item = ImGui::GetID(id);
+    const bool focused = focusable(whole, item, false), toggled = focused && pressing();
+    if (focused && !ImGui::GetIO().WantTextInput) {
+        if ((pressed(Key::down, true) || pressed(Key::right, true)) && chosen + 1 < count) ++chosen;
+        if ((pressed(Key::up, true) || pressed(Key::left, true)) && chosen > 0) --chosen;
+    }
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    if (toggled) g.NavActivateId = g.NavActivateDownId = item;  // presses the button
+    const bool open = ImGui::BeginCombo(id, text);
     note_opener(box, open);
+    if (open && toggled && !ImGui::IsWindowAppearing()) ImGui::CloseCurrentPopup();
+    if (!open) draw_focus(whole, item);
     return open;
 }
 

@@ -22,6 +22,8 @@ float check_box_width(std::string_view label);
 void tip(std::string_view text);
 // The same below the item's window, for items that stand above what is read with them.
 void tip_below_window(std::string_view text);
+// Adds the last item to the order of Tab. Returns true if it was clicked, or the keys press it.
+bool or_keys(bool clicked);
 // Draws a button and records its place as `name`. Returns true if the user pressed it.
 bool button(const char* text, Layout& layout, std::string_view name);
 // Likewise, placed by follow().
@@ -89,7 +91,14 @@ bool number(const char* id, double& value, ValueType type, double initial, float
 // are rounded to what a byte can tell apart; typed numbers are not.
 bool color_row(const char* id, double* value, int components, const double* initial);
 
-// Begins a drop-down as ImGui::BeginCombo does. A press on its button closes it again.
-bool begin_combo(const char* id, const char* chosen);
+// Begins a drop-down as ImGui::BeginCombo does. A press on its button closes it again. With the keyboard's focus the
+// arrow keys choose, open or not, and Enter and the space bar open and close it.
+bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::size_t count);
+// Draws a header that opens and closes what is below it, and returns whether that is open.
+bool header(const char* title, int flags = 0);
+// Call after a tree node: the keys open and close it from the next frame on. Returns true if they did.
+bool toggled_by_keys(bool open);
+// Draws a check box. Returns true if it was switched.
+bool switch_box(const char* text, bool& on);
 
 }  // namespace snell::ui

@@ -95,7 +95,8 @@ void show_buttons(AccuracyMemory& memory, Layout& layout) {
         {{"Picture", Show::picture}, {"Split", Show::split}, {"Heat map", Show::heat}}};
     for (std::size_t i = 0; i < choices.size(); ++i) {
         if (i > 0) follow(check_box_width(choices[i].first), ImGui::GetFontSize() * .8F);
-        if (ImGui::RadioButton(choices[i].first, memory.show == choices[i].second)) memory.show = choices[i].second;
+        if (or_keys(ImGui::RadioButton(choices[i].first, memory.show == choices[i].second)))
+            memory.show = choices[i].second;
         layout.note("accuracy", choices[i].first);
     }
 }
@@ -150,7 +151,7 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     const char* label = facts.measured ? "Stop" : "Measure rungs";
     const float button = ImGui::CalcTextSize("Measure rungs").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x);
-    const bool list = begin_combo("##ladder", ladders[memory.ladder].name.c_str());
+    const bool list = begin_combo("##ladder", ladders[memory.ladder].name.c_str(), memory.ladder, ladders.size());
     layout.note("accuracy.ladder");
     if (list) {
         for (std::size_t i = 0; i < ladders.size(); ++i) {
@@ -161,7 +162,7 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(!facts.note.empty() || facts.of_scene);
-    const bool pressed = ImGui::Button(label, {button, 0});
+    const bool pressed = or_keys(ImGui::Button(label, {button, 0}));
     ImGui::EndDisabled();
     layout.note("accuracy.measure");
     if (facts.measured)
@@ -211,7 +212,7 @@ void state_button(const StateFacts& facts, std::size_t index, float width, Accur
     const float arrow = button_width(" \u25BE");
     Text text = shortened(side.label, std::max(width - arrow, 1.0F));
     if (side.failed) ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-    if (ImGui::Button(text.append(" \u25BE").c_str())) ImGui::OpenPopup("states");
+    if (or_keys(ImGui::Button(text.append(" \u25BE").c_str()))) ImGui::OpenPopup("states");
     if (side.failed) ImGui::PopStyleColor();
     layout.note(left ? "accuracy.left" : "accuracy.right");
     tip(side.label);
@@ -276,7 +277,7 @@ void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
 void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Requests& requests,
                       Layout& layout) {
     ImGui::SetNextItemOpen(memory.open);
-    memory.open = ImGui::CollapsingHeader("Accuracy");
+    memory.open = header("Accuracy");
     layout.note("accuracy");
     keep_in_view(memory.open);
     if (!memory.open) return;
@@ -288,7 +289,7 @@ void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
         if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
     }
     if (facts.animated) {
-        ImGui::Checkbox("Pause time", &memory.hold_time);
+        switch_box("Pause time", memory.hold_time);
         layout.note("accuracy.hold time");
     }
     if (facts.accuracy && !facts.scene->ladders.empty() && controls.rungs.size() == facts.scene->ladders.size())

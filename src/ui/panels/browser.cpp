@@ -41,7 +41,7 @@ void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout
         --first;
     }
     if (first > 0) {
-        if (ImGui::Button("\u2026")) open_browser(all[first - 1].path, memory, requests);
+        if (or_keys(ImGui::Button("\u2026"))) open_browser(all[first - 1].path, memory, requests);
         ImGui::SameLine(0, gap);
     }
     for (std::size_t i = first; i < all.size(); ++i) {
@@ -68,9 +68,19 @@ struct Card {
     int lines = 1;                // of the text below the title
 };
 
+float card_pad() { return ImGui::GetFontSize() * .4F; }
+float card_width() { return 10 * ImGui::GetFontSize(); }
+
+// The lines that a text below a card's title needs.
+int lines_of(std::string_view text) {
+    const float room = card_width() - 2 * card_pad();
+    const float height = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, room).y;
+    return static_cast<int>(std::lround(height / ImGui::GetTextLineHeight()));
+}
+
 // A card in a grid that fills the width. Returns true if it was chosen.
 bool card(const Card& shown, bool first) {
-    const float em = ImGui::GetFontSize(), pad = em * .4F, line = ImGui::GetTextLineHeight(), width = 10 * em;
+    const float em = ImGui::GetFontSize(), pad = card_pad(), line = ImGui::GetTextLineHeight(), width = card_width();
     const float above = shown.picture ? .75F * (width - 2 * pad) + pad * .5F : 0;
     const ImVec2 size(width, above + line * static_cast<float>(1 + shown.lines) + 2 * pad);
     if (!first) follow(width, pad);
@@ -108,7 +118,10 @@ void cards(const char* heading, const char* name, std::span<const SceneCard> sce
             close(memory.browser);
         }
         first = false;
-        tip(scene.path);
+        if (scene.picture.why.empty())
+            tip(scene.path);
+        else
+            tip(Text("{}\nNo picture: {}", scene.path, scene.picture.why).view());
         layout.note(name, scene.name);
         ImGui::PopID();
     }
@@ -119,10 +132,12 @@ void cards(const char* heading, const char* name, std::span<const SceneCard> sce
 void new_scenes(const Facts& facts, Memory& memory, Layout& layout) {
     if (facts.kinds.empty() || memory.browser.typed[0] != '\0') return;
     ImGui::TextDisabled("New scene");
+    int lines = 1;
+    for (const NewKind& kind : facts.kinds) lines = std::max(lines, lines_of(kind.summary));
     for (std::size_t i = 0; i < facts.kinds.size(); ++i) {
         const NewKind& kind = facts.kinds[i];
         ImGui::PushID(static_cast<int>(i));
-        if (card({kind.name, kind.summary, nullptr, 2}, i == 0)) {
+        if (card({kind.name, kind.summary, nullptr, lines}, i == 0)) {
             memory.browser.kind = kind.name;
             open_save_as(memory.new_scene, memory.browser.kind, std::string(facts.new_folder));
         }
@@ -198,7 +213,10 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
             {0, entry.folder ? ImGui::GetTextLineHeight() : picture_size().y});
         layout.note("browser.entry", entry.name);
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
-        if (width_of(entry.name) > 20 * em) tip(entry.name);
+        if (!entry.picture.why.empty())
+            tip(Text("{}\nNo picture: {}", entry.name, entry.picture.why).view());
+        else if (width_of(entry.name) > 20 * em)
+            tip(entry.name);
         if (chosen && (came || pressed(Key::up, true) || pressed(Key::down, true))) ImGui::SetScrollHereY();
         ImGui::PopID();
         if (clicked) {
@@ -252,7 +270,7 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
     if (ImGui::IsItemEdited()) browser.chosen = 0;
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
     if (!browser.start) {
-        if (ImGui::Checkbox("All files", &browser.all)) open_browser(listing.folder, memory, requests);
+        if (switch_box("All files", browser.all)) open_browser(listing.folder, memory, requests);
         layout.note("browser.all");
         follow(buttons);
     }

@@ -19,6 +19,7 @@ struct Requests;
 struct SmallPicture {
     std::uintptr_t texture = 0;  // of GL, whose top row is first; 0: there is none
     float shape = 1;             // width over height
+    std::string_view why = {};   // there is none; empty: it may still come
     bool operator==(const SmallPicture&) const = default;
 };
 

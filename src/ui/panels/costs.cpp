@@ -185,6 +185,7 @@ std::string amount_of(const Paid& paid) {
 bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout) {
     const float right = ImGui::GetContentRegionMax().x;
     const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s: %zu", name, count);
+    toggled_by_keys(open);
     layout.note("costs", name);
     right_text(amount, right);
     return open;

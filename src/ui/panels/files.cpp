@@ -72,7 +72,8 @@ void look_section(Memory& memory, Layout& layout) {
     static constexpr std::array titles{"Light", "Dark", "Contrast"};
     for (std::size_t i = 0; i < titles.size(); ++i) {
         if (i > 0) follow(check_box_width(titles[i]));
-        if (ImGui::RadioButton(titles[i], memory.theme == static_cast<Theme>(i))) memory.theme = static_cast<Theme>(i);
+        if (or_keys(ImGui::RadioButton(titles[i], memory.theme == static_cast<Theme>(i))))
+            memory.theme = static_cast<Theme>(i);
         layout.note(theme_names[i]);
     }
     const std::string percent = fmt::format("{:.0f} %", std::round(memory.zoom * 100));
@@ -91,7 +92,7 @@ void look_section(Memory& memory, Layout& layout) {
     ImGui::SetCursorPosX(left + number + gap);
     if (button("+", layout, "larger")) memory.zoom = next_zoom(memory.zoom, 1);
     bool coarser = !memory.always_sharp;
-    if (ImGui::Checkbox("Coarser while dragging", &coarser)) memory.always_sharp = !coarser;
+    if (switch_box("Coarser while dragging", coarser)) memory.always_sharp = !coarser;
     tip("Draws slow pictures with fewer samples and pixels while something is dragged");
     layout.note("coarser");
 }

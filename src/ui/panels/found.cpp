@@ -170,6 +170,7 @@ void groups(const Facts& facts, Requests& requests, Layout& layout) {
     if (untried == 0 || facts.found->progress) return;
     const bool open =
         ImGui::TreeNodeEx("untried", ImGuiTreeNodeFlags_SpanAvailWidth, "Not tried: %d", static_cast<int>(untried));
+    toggled_by_keys(open);
     layout.note("found.untried");
     if (!open) return;
     rows_of(facts, Group::untried, requests, layout);

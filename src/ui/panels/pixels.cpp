@@ -111,7 +111,7 @@ void pixel_keys(const Rect& scene, PixelMemory& memory) {
 
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
     if (!section("Pixels", open, layout, "pixels")) return;
-    ImGui::Checkbox("Mark invalid values", &memory.flags);
+    switch_box("Mark invalid values", memory.flags);
     layout.note("flags");
     tip("N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is drawn "
         "a "
@@ -159,8 +159,9 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
     const float width = cell * static_cast<float>(2 * found.radius + 1) + 14 * em;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const float values = line * static_cast<float>(5 + int{found.depth.has_value()} + int{found.distance.has_value()});
     const ImVec2 size(width + 2 * padding.x,
-                      cell * static_cast<float>(2 * found.radius + 1) + 2.2F * line + 2 * padding.y);
+                      std::max(cell * static_cast<float>(2 * found.radius + 1), values) + 2.2F * line + 2 * padding.y);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const bool fits = size.x <= scene.width && size.y <= scene.height;  // otherwise the box may cover the panel
     const ImVec2 at = beside(ImGui::GetIO().MousePos, size, fits ? scene : Rect{0, 0, all.x, all.y}, 1.5F * em);
@@ -184,6 +185,7 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
         ImGui::EndGroup();
         fitted(pixels.statement.empty() ? "no object" : pixels.statement, width);
         fitted(pixels.place, width, true);
+        layout.note("inspector.place");
     }
     layout.place_window("inspector");
     ImGui::End();

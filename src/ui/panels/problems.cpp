@@ -163,7 +163,7 @@ void problems_window(const Facts& facts, Severity severity, const Rect& scene, c
         list(facts, severity, fonts, requests, layout);
         if (errors && warnings > 0) {
             const char* arrow = memory.warnings_open ? " \u25B4" : " \u25BE";
-            if (ImGui::SmallButton((counted(warnings, "warning") + arrow).c_str()))
+            if (or_keys(ImGui::SmallButton((counted(warnings, "warning") + arrow).c_str())))
                 memory.warnings_open = !memory.warnings_open;
             layout.note("problems.warnings");
             if (memory.warnings_open) list(facts, Severity::warning, fonts, requests, layout);

@@ -114,7 +114,7 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
     Memory& memory = section.memory;
     Animated* motion = motion_of(control, component, memory);
     bool moving = motion != nullptr;
-    if (ImGui::Checkbox("Animate", &moving)) {
+    if (switch_box("Animate", moving)) {
         stop(memory.animated, control, component);
         motion = nullptr;
         if (moving) {
@@ -366,7 +366,7 @@ bool any(const Controls& controls, Index program, Chosen chosen) {
 // Draws "Reset all" at the right end of the header, where it moves nothing.
 void reset_button(Controls& controls, Index program, const Section& section, float right) {
     ImGui::SameLine(right);
-    if (ImGui::SmallButton("Reset all")) {
+    if (or_keys(ImGui::SmallButton("Reset all"))) {
         for (Control& control : controls.items)
             if (control.program == program) reset(control);
         stop_all(section.memory.animated, program);
@@ -384,8 +384,8 @@ bool header(Controls& controls, Index index, const Section& section, bool open_a
     Text title = shortened(name.empty() ? std::string_view("Program") : name,
                            ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight() - button);
     const bool whole = name.empty() || title == name;
-    const bool open = ImGui::CollapsingHeader(title.append(filtered ? "###found" : "###program").c_str(),
-                                              ImGuiTreeNodeFlags_AllowItemOverlap);
+    const bool open =
+        ui::header(title.append(filtered ? "###found" : "###program").c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
     if (!whole) tip(name);
     section.layout.note(name);
     keep_in_view(open);
@@ -423,6 +423,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
         if (any(controls, index, constant)) {
             if (filtered) ImGui::SetNextItemOpen(true);
             const bool unfolded = ImGui::TreeNodeEx("constants", ImGuiTreeNodeFlags_SpanAvailWidth);
+            toggled_by_keys(unfolded);
             section.layout.note(section.program.name, "constants");
             if (unfolded) {
                 rows(controls, index, section, constant);
@@ -471,7 +472,7 @@ void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-FLT_MIN);
     const Text chosen = shortened(ladder.rungs[rung], ImGui::GetContentRegionAvail().x - arrow);
-    const bool open = begin_combo("##rung", chosen.c_str());
+    const bool open = begin_combo("##rung", chosen.c_str(), rung, ladder.rungs.size());
     if (!open && ImGui::IsItemClicked(ImGuiMouseButton_Right)) rung = ladder.current;
     layout.note(ladder.name);
     if (open) {

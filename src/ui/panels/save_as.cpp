@@ -74,7 +74,10 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     layout.note(words.name + " file");
     tip(words.tip);
-    if (!dialog.folder.empty()) fitted("in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
+    if (!dialog.folder.empty()) {
+        fitted("in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
+        layout.note(words.name + " folder");
+    }
     ImGui::Spacing();
     questions(dialog, words.name, layout);
     const bool now = answered(dialog, words.word, words.name, layout) || entered;
@@ -153,14 +156,14 @@ void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     row("Samples", "samples per pixel; more make edges smoother");
     whole("##samples", picture.samples, 4, layout, "picture samples", 64);
     follow(check_box_width("Transparent"), ImGui::GetFontSize());
-    ImGui::Checkbox("Transparent", &picture.transparent);
+    switch_box("Transparent", picture.transparent);
     tip("Leaves out the background (PNG and EXR only)");
     layout.note("picture transparent");
 }
 
 void sequence_rows(PictureMemory& picture, Layout& layout) {
     row("Sequence", "numbered pictures of a time span");
-    ImGui::Checkbox("##sequence", &picture.sequence);
+    switch_box("##sequence", picture.sequence);
     layout.note("picture sequence");
     if (!picture.sequence) return;
     row("Seconds");
@@ -224,6 +227,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     if (!picture.folder.empty()) {
         row("");
         fitted("in " + picture.folder, ImGui::GetContentRegionAvail().x, true);
+        layout.note("picture folder");
     }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())

@@ -107,7 +107,7 @@ void channel_row(TextureMemory& memory, Layout& layout) {
     for (int i = 0; i < 5; ++i) {
         const char* name = names[static_cast<std::size_t>(i)];
         if (i > 0) follow(check_box_width(name), ImGui::GetFontSize() * .6F);
-        if (ImGui::RadioButton(name, memory.channel == i - 1)) memory.channel = i - 1;
+        if (or_keys(ImGui::RadioButton(name, memory.channel == i - 1))) memory.channel = i - 1;
         layout.note("textures.channel", name);
     }
 }

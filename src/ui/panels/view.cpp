@@ -8,6 +8,8 @@
 
 #include "src/plan/view.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/kit.h"
+#include "src/ui/kit/widgets.h"
 #include "src/ui/panels/panels.h"
 
 namespace snell::ui {
@@ -37,7 +39,7 @@ void target_row(const View& view, HoldMemory& hold, Layout& layout) {
         const bool on = hold.held == target.held;
         ImGui::BeginDisabled(!there);
         if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        if (ImGui::Button((text + "###" + target.name).c_str())) hold.held = target.held;
+        if (or_keys(ImGui::Button((text + "###" + target.name).c_str()))) hold.held = target.held;
         if (on) ImGui::PopStyleColor();
         ImGui::EndDisabled();
         tip(there ? target.help : "Pick an object first: press P, then click it.");
@@ -170,7 +172,8 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
 }
 
 void clock_keys(const Facts& facts, Memory& memory) {
-    if ((facts.animated || memory.animating()) && pressed(Key::space)) memory.clock.paused = !memory.clock.paused;
+    if ((facts.animated || memory.animating()) && !kit().focus.presses && pressed(Key::space))
+        memory.clock.paused = !memory.clock.paused;
 }
 
 }  // namespace snell::ui
