@@ -90,8 +90,8 @@ struct Options {
 };
 
 // Operands that an operator does not take, as far as types are known: to explain what a driver refuses without naming
-// them. Without `right` there is only one operand. `=`: the type of what a name gets that nothing declares. `:=`: what is
-// assigned, at the right, has another size than what it is assigned to.
+// them. Without `right` there is only one operand. `=`: the type of what a name gets that nothing declares. `:=`: what
+// is assigned, at the right, has another size than what it is assigned to.
 struct Misfit {
     Span span;  // of the expression
     std::string op;

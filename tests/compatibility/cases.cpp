@@ -50,7 +50,8 @@ std::string word_after(const std::string& text, const std::string& key) {
 
 GLenum input_primitive(const std::string& geometry, const std::string& named) {
     std::string kind = named;
-    if (const auto found = test::matches(geometry, R"(layout\s*\(([^)]*)\)\s*in\b)"); !found.empty()) kind = found[0][1];
+    if (const auto found = test::matches(geometry, R"(layout\s*\(([^)]*)\)\s*in\b)"); !found.empty())
+        kind = found[0][1];
     const auto has = [&](const char* word) { return kind.find(word) != std::string::npos; };
     if (has("triangles_adjacency")) return GL_TRIANGLES_ADJACENCY;
     if (has("lines_adjacency")) return GL_LINES_ADJACENCY;
