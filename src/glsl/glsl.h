@@ -105,6 +105,9 @@ struct StageOutput {
     std::string text;
     std::vector<FileId> files;
     std::vector<Misfit> misfits = {};
+    std::vector<Stage> written_in = {};  // the author's stage of each of `files`; empty: this one
+
+    Stage stage_of(std::size_t file) const { return file < written_in.size() ? written_in[file] : stage; }
 };
 
 // The value an initialised uniform has until something sets it (needed where the target takes no

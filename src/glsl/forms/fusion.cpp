@@ -186,11 +186,18 @@ std::string Fusion::apart(std::string_view text, std::size_t first_file) {
 
 void Fusion::read(const StageOutput& first, const StageOutput* second) {
     first_ = read_again(first, true);
-    files_ = first.files;
+    add_files(first);
     if (!second) return;
     second_file_ = files_.size();
     second_ = read_again(*second, true, second_file_);
-    files_.insert(files_.end(), second->files.begin(), second->files.end());
+    add_files(*second);
+}
+
+void Fusion::add_files(const StageOutput& from) {
+    for (std::size_t i = 0; i < from.files.size(); ++i) {
+        files_.push_back(from.files[i]);
+        written_in_.push_back(from.stage_of(i));
+    }
 }
 
 void Fusion::separate_names() {

@@ -50,6 +50,7 @@ protected:
     Unit read_again(const StageOutput& from, bool apart, std::size_t first_file = 0);
     // Reads both; `second` may be null.
     void read(const StageOutput& first, const StageOutput* second);
+    void add_files(const StageOutput& from);
 
     // Both stages become one text: what only one of them means gets a name of its own where the other has that word,
     // and what both declare is declared once.
@@ -102,6 +103,7 @@ protected:
     std::vector<Port> given_;            // outputs of the first stage
     std::string extensions_, fetches_, copies_;
     std::vector<FileId> files_;
+    std::vector<Stage> written_in_;  // the author's stage of each of them
 
 private:
     std::size_t second_file_ = 0;

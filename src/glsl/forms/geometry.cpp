@@ -36,8 +36,8 @@ public:
         take_fragment();
         if (!ok_ || !pack()) return;
         write_both();
-        form_.count = {Stage::vertex, count_text(), files_};
-        form_.capture = {Stage::vertex, capture_text(), files_};
+        form_.count = {Stage::vertex, count_text(), files_, {}, written_in_};
+        form_.capture = {Stage::vertex, capture_text(), files_, {}, written_in_};
         StageOutput* const fragment = stage(Stage::fragment);
         fragment->text = emit(quiet_program_, fragment_);
         StageOutput passing{Stage::vertex, passing_text(), {}};

@@ -58,8 +58,12 @@ public:
         if (ok_) take_evaluation();
         if (!ok_) return;
         write_both();
-        form_.control = {Stage::vertex, control_text(), files_};
-        StageOutput evaluation{Stage::vertex, emit(quiet_program_, evaluation_), evaluation_files()};
+        form_.control = {Stage::vertex, control_text(), files_, {}, written_in_};
+        StageOutput evaluation{Stage::vertex,
+                               emit(quiet_program_, evaluation_),
+                               evaluation_files(),
+                               {},
+                               std::vector(evaluation_files().size(), Stage::tess_evaluation)};
         std::erase_if(out_.stages, [](const StageOutput& s) { return s.stage < Stage::geometry; });
         out_.stages.insert(out_.stages.begin(), std::move(evaluation));
         if (out_.stages.size() == 2) join_fragment();

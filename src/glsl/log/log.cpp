@@ -91,9 +91,8 @@ std::set<std::string_view> doubtful_names(const Found& cause, log::Texts& texts)
     return names;
 }
 
-std::string told_of(const Entry& entry, const Context& context, std::string_view program) {
-    const auto stage = context.stage ? std::optional(context.stage->stage) : entry.stage;
-    if (stage) return fmt::format(" ({} shader of '{}')", stage_name(*stage), program);
+std::string told_of(const Entry& entry, std::string_view program) {
+    if (entry.stage) return fmt::format(" ({} shader of '{}')", stage_name(*entry.stage), program);
     return fmt::format(" (program '{}')", program);
 }
 
@@ -124,13 +123,13 @@ Diagnostic explain(const Found& found, const Context& context, std::string_view 
     if (const Misfit* misfit = misfit_of(found, context)) {
         diagnostic.code = code_of(misfit->op == ":=" ? log::Kind::convert : log::Kind::operands);
         diagnostic.span = misfit->span;
-        diagnostic.message = log::message(*misfit) + told_of(found.entry, context, program);
+        diagnostic.message = log::message(*misfit) + told_of(found.entry, program);
         diagnostic.help = log::help(*misfit);
         return diagnostic;
     }
     diagnostic.code = code_of(found.entry.kind);
     diagnostic.span = found.place.span;
-    diagnostic.message = log::message(found.entry, found.place, context) + told_of(found.entry, context, program);
+    diagnostic.message = log::message(found.entry, found.place, context) + told_of(found.entry, program);
     log::hint(found.entry, found.place, context, diagnostic);
     return diagnostic;
 }
@@ -173,6 +172,7 @@ void explain_log(std::string_view log, const Translation& translation, const Sta
         if (stage) entry.stage = stage->stage;
         if (stage && lines == Lines::unnumbered) log::number(entry, stage->text);
         const Place place = log::place(entry, context);
+        if (stage && entry.string >= 0) entry.stage = stage->stage_of(static_cast<std::size_t>(entry.string));
         list.push_back({std::move(entry), place});
     }
     const std::vector<Mistake> groups = folded(errors, context);
