@@ -248,6 +248,20 @@ Resolved Files::handed_out(std::string_view written, const std::vector<std::stri
 }
 
 Resolved Files::look_for(std::string_view written, const std::vector<std::string_view>& extensions) const {
+    Resolved found = look_up(written, extensions);
+    const std::string name = tidy(written);
+    const bool sought = !name.empty() && name.find('\0') == std::string::npos;
+    if (found.path.empty() && !found.outside && sought)
+        found.nearest = Finder{roots_}.most_similar(folder_, name, extensions);
+    return found;
+}
+
+std::string Files::find(std::string_view name) const {
+    const Resolved found = look_up(name, {});
+    return found.path.empty() && !access_.allow.empty() ? handed_out(name, {}).path : found.path;
+}
+
+Resolved Files::look_up(std::string_view written, const std::vector<std::string_view>& extensions) const {
     const std::string name = tidy(written);
     if (name.empty() || name.find('\0') != std::string::npos) return {};
     const Finder finder{roots_};
@@ -264,12 +278,10 @@ Resolved Files::look_for(std::string_view written, const std::vector<std::string
     }
     // The scene was written on another machine, or before its files were gathered in one folder.
     if (const std::string file(last_component(name)); file != name && file != ".." && !has_drive(file)) {
-        if (Resolved here = in_folder(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
+        if (Resolved here = look_up(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
     }
     struct stat status {};
-    if (!roots_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name)))
-        return {{}, false, {}, true};
-    return {{}, false, finder.most_similar(folder_, name, extensions), false};
+    return {{}, false, {}, !roots_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name))};
 }
 
 Resolved Files::resolve_beside(std::string_view from, std::string_view name,

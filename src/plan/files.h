@@ -60,6 +60,9 @@ public:
     // to case; its last component in the folder itself; its last component in Access::allow. '\' counts as '/', and
     // quotes around the name are dropped. A name that was not found is remembered, and its search is not repeated.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
+    // The path that resolve() finds, without a search for what may have been meant: for files that scenes may do
+    // without, which most do. "" if there is none.
+    std::string find(std::string_view name) const;
     // Resolves a name that an included scene or shader contains: relative to the folder of that file, whose path on
     // disk is `from`, and otherwise to this object's folder. A name that leads elsewhere is not taken for `from`
     // itself.
@@ -82,6 +85,8 @@ private:
     const std::string* instead_of(const std::string& path) const;  // null: the file itself
     Resolved in_folder(std::string_view written, const std::vector<std::string_view>& extensions) const;
     Resolved look_for(std::string_view written, const std::vector<std::string_view>& extensions) const;
+    // What look_for() finds but for Resolved::nearest.
+    Resolved look_up(std::string_view written, const std::vector<std::string_view>& extensions) const;
     Resolved handed_out(std::string_view written, const std::vector<std::string_view>& extensions) const;
 
     std::string folder_;

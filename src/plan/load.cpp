@@ -265,7 +265,7 @@ CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& 
 
 Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostics) {
     const std::string name = content::noise_file_name(dimensions, size);
-    const std::string path = files.resolve(name).path;
+    const std::string path = files.find(name);
     std::string reason;
     if (path.empty()) return to_upload(content::make_noise(dimensions, size));
     if (const std::optional<std::string> bytes = files.read(path, reason)) {

@@ -77,6 +77,19 @@ TEST(Resolve, NamesFromOtherMachines) {
     EXPECT_EQ(Files(folder.path("scene")).resolve("../COW.obj").path, folder.path("scene/../cow.obj"));
 }
 
+// What a scene may do without is found where resolve() finds it, and nothing is suggested in its place.
+TEST(Resolve, FindsWhatMayBeMissing) {
+    const Scratch folder, handed_out;
+    folder.write("Noise2d.064.TEX", "x");
+    handed_out.write("deep/noise3d.064.tex", "x");
+    Access access;
+    access.confine = folder.path("");
+    EXPECT_EQ(Files(folder.path(), access).find("noise2d.064.tex"), folder.path("Noise2d.064.TEX"));
+    EXPECT_EQ(Files(folder.path(), access).find("noise3d.064.tex"), "");
+    access.allow = {handed_out.path("")};
+    EXPECT_EQ(Files(folder.path(), access).find("noise3d.064.tex"), handed_out.path("deep/noise3d.064.tex"));
+}
+
 TEST(Resolve, SuggestsTheNearestName) {
     const Scratch folder;
     folder.write("reflect.vert", "x");
