@@ -1,5 +1,6 @@
 // The program: reads the command line, and runs what it asks for.
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,13 @@ namespace {
 
 using namespace snell;
 using namespace snell::app;
+
+// Images and meshes come and go by the megabyte; memory that goes back to the system and returns is cleared page by
+// page each time, which costs more than decoding does.
+void keep_freed_memory() {
+    mallopt(M_MMAP_THRESHOLD, 4 << 20);
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+}
 
 // Standard output may be on a full disk. One that is painted holds a line back until its end, which the last may lack.
 int printed(int status, bool painted) {
@@ -56,6 +64,7 @@ int main(int argc, char** argv) {
     // Without this, a file that grows beyond its limit would end the process; now writing it fails.
     std::signal(SIGXFSZ, SIG_IGN);
     watch_memory();
+    keep_freed_memory();
     CLI::App program;
     Request request;
     const std::string_view first = first_word(argc, argv);
