@@ -22,7 +22,11 @@ constexpr double most_rounds = 65535;
 
 constexpr std::string_view go_round_text = "the loops of this shader go round ";
 
+// Nobody goes round so often to count.
+constexpr double very_many = 1e6;
+
 std::string rounds_text(double rounds) {
+    if (rounds >= very_many && rounds != endless) return "more than a million times";
     return rounds == endless ? "for ever" : fmt::format("about {:.0f} times", rounds);
 }
 
@@ -43,37 +47,71 @@ bool Walker::stored(int variable, int node) const {
     return found;
 }
 
-// What i++, ++i, i -= 2 and their like add to the variable; 0: another thing.
-double Walker::step_of(int variable, int node) const {
+// What i++, i -= 2, x *= .5, i = 0 and their like do with the variable; nullopt: another thing.
+std::optional<Walker::Update> Walker::update_of(int variable, int node) const {
     const Node& n = at(node);
     const std::vector<int> inside = parts(node);
-    if (inside.empty() || at(inside[0]).form != Form::name || at(inside[0]).variable != variable) return 0;
-    const double sign = n.text.starts_with('-') ? -1 : 1;
-    if (n.form == Form::step) return sign;
-    if (n.form != Form::assign || (n.text != "+=" && n.text != "-=") || at(inside[1]).value.size() != 1) return 0;
-    return sign * at(inside[1]).value.front();
+    if (inside.empty() || at(inside[0]).form != Form::name || at(inside[0]).variable != variable) return std::nullopt;
+    if (n.form == Form::step) return Update{n.text.front(), 1};
+    if (n.form != Form::assign || at(inside[1]).value.size() != 1) return std::nullopt;
+    const char op = n.text.front();
+    if (n.text.size() > 2 || std::string_view("=+-*/").find(op) == std::string_view::npos) return std::nullopt;
+    return Update{op, at(inside[1]).value.front()};
 }
 
-// The same of a loop's body, as far as it is done in every round.
-double Walker::body_step(int variable, int body) const {
-    double step = 0;
-    const std::vector<int> all = at(body).form == Form::block ? parts(body) : std::vector<int>{body};
+// What each round does with the variable, in order; nullopt: it is not known.
+std::optional<std::vector<Walker::Update>> Walker::updates_of(int variable, const Loop& loop) const {
+    if (unstable_.contains(variable)) return std::nullopt;
+    std::vector<Update> updates;
+    const auto add = [&](int node, int expression) {
+        const auto update = expression < 0 ? std::nullopt : update_of(variable, expression);
+        if (!update && stored(variable, node)) return false;
+        if (update) updates.push_back(*update);
+        return true;
+    };
+    const std::vector<int> all = at(loop.body).form == Form::block ? parts(loop.body) : std::vector<int>{loop.body};
     for (const int node : all) {
         const std::vector<int> inside = parts(node);
-        const double here = at(node).form == Form::evaluated && !inside.empty() ? step_of(variable, inside[0]) : 0;
-        if (here == 0 && stored(variable, node)) return 0;
-        step += here;
+        if (!add(node, at(node).form == Form::evaluated && !inside.empty() ? inside[0] : -1)) return std::nullopt;
     }
-    for (int k = at(body).begin; k < body; ++k)
-        if (at(k).form == Form::jump && at(k).text == "continue") return 0;
-    return step;
+    for (int k = at(loop.body).begin; k < loop.body && !updates.empty(); ++k)
+        if (at(k).form == Form::jump && at(k).text == "continue") return std::nullopt;
+    if (loop.step >= 0 && !add(loop.step, loop.step)) return std::nullopt;
+    return updates;
 }
 
-// Whether the variable has the same value in every round. A function might change a global one.
-bool Walker::stays(int variable, const Loop& loop) const {
-    for (int k = at(loop.body).begin; k < loop.body; ++k)
-        if (at(k).form == Form::call) return false;
-    return (loop.step < 0 || !stored(variable, loop.step)) && !stored(variable, loop.body);
+namespace {
+
+double updated(double value, char op, double by, glsl::Base base) {
+    value = op == '+' ? value + by : op == '-' ? value - by : op == '*' ? value * by : op == '/' ? value / by : by;
+    if (base == glsl::Base::real) return static_cast<float>(value);
+    if (base == glsl::Base::dreal) return value;
+    if (!(std::abs(value) < 0x1p63)) return value;  // division by zero
+    const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
+    return base == glsl::Base::uinteger ? static_cast<double>(bits)
+                                        : static_cast<double>(static_cast<std::int32_t>(bits));
+}
+
+bool holds(double left, std::string_view op, double right) {
+    if (op == "<") return left < right;
+    if (op == "<=") return left <= right;
+    if (op == ">") return left > right;
+    if (op == ">=") return left >= right;
+    return (left == right) == (op == "==");
+}
+
+}  // namespace
+
+// Goes round with the numbers; it never ends if the variable has a value again that it had (Brent's search for cycles).
+double Walker::counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
+                              glsl::Base base) {
+    double seen = value, rounds = 0;
+    for (double next = 1; holds(value, op, bound) && rounds < very_many; ++rounds) {
+        if (rounds == next) seen = value, next *= 2;
+        for (const Update& update : updates) value = updated(value, update.op, update.by, base);
+        if (value == seen) return endless;
+    }
+    return rounds;
 }
 
 // 0: it is not known. A slider counts as far as it goes.
@@ -86,19 +124,30 @@ double Walker::rounds_of(const Loop& loop) {
     if (test.form != Form::infix || at(sides[0]).form != Form::name || at(sides[0]).variable < 0) return 0;
     const int variable = at(sides[0]).variable;
     const std::string_view op = test.text;
-    const bool stepped = loop.step >= 0 && at(loop.step).form != Form::empty;  // by its header
-    const double step = stepped ? step_of(variable, loop.step) : body_step(variable, loop.body);
-    const bool left_alone = step == 0 && stays(variable, loop);
-    if ((step == 0 && !left_alone) || (stepped && stored(variable, loop.body))) return 0;
+    if (std::string_view("< <= > >= == !=").find(op) == std::string_view::npos) return 0;
+    const auto updates = updates_of(variable, loop);
+    if (!updates) return 0;
+    for (int k = at(sides[1]).begin; k <= sides[1]; ++k)  // a bound that moves
+        if (const Node& n = at(k); n.form == Form::call || (n.variable >= 0 && stored(n.variable, loop.body))) return 0;
     Value bound = evaluate(sides[1]).v;
     if (bound.uniform >= 0)
         if (const auto set = around_.uniforms.find(u_.globals[static_cast<std::size_t>(bound.uniform)].name);
             set != around_.uniforms.end())
             bound.range = set->second.range;
-    if (at(sides[0]).type.base == glsl::Base::uinteger && op == ">=" && bound.range == exactly(0)) return endless;
+    const glsl::Base base = at(sides[0]).type.base;
+    if (base == glsl::Base::uinteger && op == ">=" && bound.range == exactly(0)) return endless;
     const Range& from = slot(variable).value.range;
+    const bool exact = from == exactly(from.lo) && bound.range == exactly(bound.range.lo);
+    const double counted = exact ? counted_rounds(from.lo, op, bound.range.lo, *updates, base) : very_many;
+    if (counted != very_many) return counted;
+    double step = 0;
+    for (const Update& update : *updates) {
+        if (update.op != '+' && update.op != '-') return exact ? counted : 0;
+        step += update.op == '+' ? update.by : -update.by;
+    }
     const bool less = op == "<" || op == "<=", more = op == ">" || op == ">=";
-    if (left_alone || (less && step < 0) || (more && step > 0)) {
+    if (!less && !more) return exact ? counted : 0;
+    if (step == 0 || (less && step < 0) || (more && step > 0)) {
         const bool begins = less ? from.real_hi && bound.range.real_lo && from.hi < bound.range.lo
                                  : more && from.real_lo && bound.range.real_hi && from.lo > bound.range.hi;
         return begins ? endless : 0;

@@ -86,12 +86,17 @@ private:
     // how often loops go round (loops.cpp)
     bool leaves(int node, bool breaks) const;
     bool stored(int variable, int node) const;
-    double step_of(int variable, int node) const;
-    double body_step(int variable, int body) const;
+    struct Update {
+        char op;  // + - * / =
+        double by;
+    };
     struct Loop {
         int condition, step, body;  // nodes; step: of `for`; -1: the body steps
     };
-    bool stays(int variable, const Loop& loop) const;
+    std::optional<Update> update_of(int variable, int node) const;
+    std::optional<std::vector<Update>> updates_of(int variable, const Loop& loop) const;
+    static double counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
+                                 glsl::Base base);
     double rounds_of(const Loop& loop);
     void go_round(double rounds, int first, int last);
 

@@ -80,6 +80,17 @@ TEST(LintLoops, WithoutAnEnd) {
                              "for (float f = 1.; f > 0.; f += .1) x += f;", "int i = 0; while (i < 10) x += uX;",
                              "int i = 0; do { --i; } while (i < 70000);", "for (uint i = 3u; i >= 0u; --i) x += 1.;"})
         EXPECT_NE(looping(loop).text().find("for ever"), std::string::npos) << loop << looping(loop).text();
+    // What becomes of the variable is computed as the shader would, overflow and rounding included.
+    for (const char* loop :
+         {"for (int i = 1; i < 100; i *= 2) { i = 1; }", "for (int i = 1; i != 100; i *= 2) x += 1.;",
+          "for (float f = 1.; f >= 0.; f *= .5) x += f;", "for (int i = 0; i < 10; ++i) { x += 1.; i = 0; }",
+          "int i = 0; while (i == 0) x += 1.;", "for (int i = 0; i < 10; i /= 2) { if (x > uX) continue; x += 1.; }",
+          "float f = 16777216.; while (f < 20000000.) { f += 1.; x += f; }",
+          "int i = 3; do { i -= 3; i += 3; } while (i > 0);", "for (uint i = 1u; i > 0u; i *= 65537u) x += 1.;"})
+        EXPECT_NE(looping(loop).text().find("for ever"), std::string::npos) << loop << looping(loop).text();
+    EXPECT_NE(looping("for (float f = 0.; f != 1.; f += .1) x += f;").text().find("more than a million"),
+              std::string::npos)
+        << "ten tenths are not one";
     const auto endless = [](const std::string& loop) {
         return ranges::any_of(looping(loop).found.items(), never_ends);
     };
@@ -103,6 +114,13 @@ TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
                              "for (int i = 0; i < 100000; ++i) { ++i; i *= 2; }",
                              "for (int i = 0; i < 100000; ++i) { if (x > uX) i = 100000; else x += 1.; }",
                              "for (int i = 0; i < 100000; i += uM) x += 1.;",
+                             "for (int i = 1; i < 1000000000; i *= 2) x += 1.;",
+                             "for (int i = 1; i > 0; i *= 2) x += 1.;",
+                             "for (float f = 1.; f > 0.; f *= .5) x += f;",
+                             "for (float f = 0.; f != 1.; f += .125) x += f;",
+                             "for (int i = 0; i != 40; i += 4) x += 1.;",
+                             "int n = 100000; for (int i = 0; i < n; ++i) n /= 10;",
+                             "int n = 10; while (0 < n) n -= 1;",
                              "for (int i = uM; i < uN; ++i) x += 1.;",
                              "while (x < uX) x += 1.;",
                              "do x += 1.; while (x < uX);",
