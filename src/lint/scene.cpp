@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
+#include "parser/text/article.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/tree.h"
@@ -280,9 +281,10 @@ private:
             const auto target = static_cast<TextureTarget>(other);
             const Index there = find_texture(scene_, draw, s.texture_unit, target);
             if (there == none) continue;
-            Diagnostic* d = report(Rule::sampler_kind, place(s),
-                                   fmt::format("'{}' is a {}, but unit {} holds a {}", s.global->name,
-                                               s.global->type.name, s.texture_unit, texture_words[other]));
+            Diagnostic* d = report(
+                Rule::sampler_kind, place(s),
+                fmt::format("'{}' is {} {}, but unit {} holds a {}", s.global->name, article(s.global->type.name),
+                            s.global->type.name, s.texture_unit, texture_words[other]));
             if (d) d->notes.push_back({scene_.textures[there].span, "the texture"});
             return;
         }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
+#include "parser/text/article.h"
 #include "parser/text/words.h"
 #include "src/runtime/impl.h"
 
@@ -187,8 +188,8 @@ void Runtime::Impl::bind_textures(ReadyDraw& ready, Index pass, Diagnostics& dia
     for (const SamplerUniform& sampler : ready.program->samplers) {
         if (sampler.target || runtime::tree_part(sampler.name, sampler.type)) continue;
         diagnostics.warning("unbound-texture", draw.span,
-                            fmt::format("'{}' is a {}, but no command binds such a texture: it reads as black",
-                                        sampler.name, sampler.type),
+                            fmt::format("'{}' is {} {}, but no command binds such a texture: it reads as black",
+                                        sampler.name, article(sampler.type), sampler.type),
                             "use a sampler1D, sampler2D, sampler3D or samplerCube");
         for (int element = 0; element < sampler.size; ++element) bind_black(sampler, element);
     }

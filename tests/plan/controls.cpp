@@ -44,7 +44,8 @@ TEST(Controls, RangeOnEveryNumberType) {
         EXPECT_EQ(made.control().widget, row.widget) << row.type;
         EXPECT_EQ(made.control().value, Values{row.value}) << row.type;
         EXPECT_EQ(made.control().initial, made.control().value);
-        EXPECT_TRUE(made.diagnostics.empty()) << row.type;
+        // A bool of 3 is true, and probably not what was meant.
+        EXPECT_EQ(made.codes(), row.widget == Widget::slider ? Codes{} : Codes{"uniform-value-type"}) << row.type;
         if (row.widget == Widget::slider) {
             EXPECT_EQ(made.control().min, 1);
             EXPECT_EQ(made.control().max, 7);
@@ -219,6 +220,8 @@ TEST(Controls, NumbersThatTheTypeCannotHold) {
     EXPECT_EQ(make(value_of("u", Kind::scalar, {2.5}), active("int")).control().value, Values{3});
     EXPECT_EQ(make(value_of("u", Kind::scalar, {-4}), active("uint")).control().value, Values{0});
     EXPECT_EQ(make(value_of("u", Kind::scalar, {7}), active("bool")).control().value, Values{1});
+    EXPECT_EQ(make(value_of("u", Kind::scalar, {7}), active("bool")).codes(), Codes{"uniform-value-type"});
+    EXPECT_TRUE(make(value_of("u", Kind::scalar, {1}), active("bool")).codes().empty());
     EXPECT_EQ(make(value_of("u", Kind::scalar, {1e300}), active("int")).control().value, Values{2147483647});
     EXPECT_TRUE(std::isfinite(
         static_cast<float>(make(value_of("u", Kind::scalar, {1e39}), active("float")).control().value[0])));

@@ -5,6 +5,7 @@
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
 #include "parser/text/ranges.h"
+#include "parser/text/article.h"
 #include "parser/text/words.h"
 #include "src/lint/lint.h"
 
@@ -76,7 +77,8 @@ std::string missing(const NeededUniform& needed, const Rubric& rubric, const Doc
         if (type.empty())
             wrong = fmt::format("no shader uses '{}'", name);
         else if (!needed.type.empty() && type != needed.type)
-            wrong = fmt::format("'{}' is a {}, not a {}", name, type, needed.type);
+            wrong =
+                fmt::format("'{}' is {} {}, not {} {}", name, article(type), type, article(needed.type), needed.type);
         else if ((needed.least || needed.most) && control.widget == Widget::none)
             wrong = fmt::format("'{}' has no slider", name);
         else if ((needed.least && control.min > *needed.least) || (needed.most && control.max < *needed.most))

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "parser/text/article.h"
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/lexer.h"
@@ -22,9 +23,7 @@ std::string pair_message(std::string_view a, std::string_view b, std::string_vie
 
 // "an 'int'"; nothing for nothing.
 std::string with_article(std::string_view type) {
-    if (type.empty()) return {};
-    const bool vowel = std::string_view("aei").find(type[0]) != std::string_view::npos;
-    return fmt::format("{} '{}'", vowel ? "an" : "a", type);
+    return type.empty() ? std::string() : fmt::format("{} '{}'", article(type), type);
 }
 
 std::string named_message(std::string_view name, std::string_view with, std::string_view without) {

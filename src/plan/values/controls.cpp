@@ -9,6 +9,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "parser/text/article.h"
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
 #include "src/glsl/read/lexer.h"
@@ -35,6 +36,11 @@ bool is_internal(std::string_view name) { return name.starts_with("snell_") || n
 
 std::string type_name(const ActiveUniform& uniform) {
     return uniform.array_size > 1 ? fmt::format("{}[{}]", uniform.glsl_type, uniform.array_size) : uniform.glsl_type;
+}
+
+std::string a_type(const ActiveUniform& uniform) {
+    const std::string name = type_name(uniform);
+    return fmt::format("{} {}", article(name), name);
 }
 
 struct Element {
@@ -186,7 +192,7 @@ private:
             const bool apart = declared != nullptr && declared->array_size > array->array_size;  // by elements
             const std::string type =
                 apart ? fmt::format("{}[{}]", declared->glsl_type, declared->array_size) : type_name(*array);
-            report_unknown(written, fmt::format("'{}' is a {}, which has no '{}'", base, type,
+            report_unknown(written, fmt::format("'{}' is {} {}, which has no '{}'", base, article(type), type,
                                                 std::string_view(written.name).substr(base.size())));
             return;
         }
@@ -300,17 +306,18 @@ private:
 
     void report_count(const UniformValue& written, const ActiveUniform& uniform, std::size_t takes, std::size_t given) {
         diagnostics_.warning("uniform-value-count", written.span,
-                             fmt::format("'{}' is a {} and takes {} {}, not {}", written.name, type_name(uniform),
-                                         takes, takes == 1 ? "number" : "numbers", given),
+                             fmt::format("'{}' is {} and takes {} {}, not {}", written.name, a_type(uniform), takes,
+                                         takes == 1 ? "number" : "numbers", given),
                              "the given numbers are used");
     }
 
     double typed(const Control& control, double value, const UniformValue& written, const ActiveUniform& uniform) {
         const double fitted = fit_to_type(value, control.type);
-        if (fitted != value && control.type != ValueType::bool_) {
+        if (fitted != value) {
+            const std::string becomes = control.type == ValueType::bool_ ? "true" : fmt::format("{}", fitted);
             diagnostics_.warning(
                 "uniform-value-type", written.span,
-                fmt::format("'{}' is a {}: {} is converted to {}", written.name, type_name(uniform), value, fitted));
+                fmt::format("'{}' is {}: {} is converted to {}", written.name, a_type(uniform), value, becomes));
         }
         return fitted;
     }
@@ -342,10 +349,9 @@ private:
         // A range belongs to one number; for a vector it changes all components together.
         const double current = typed(control, range.current, written, uniform);
         if (control.value.size() > 1) {
-            diagnostics_.warning(
-                "uniform-value-count", written.span,
-                fmt::format("'{}' is a {}, but a range has one number", written.name, type_name(uniform)),
-                "all components get that number; write [1. 2. 3.] to set each one");
+            diagnostics_.warning("uniform-value-count", written.span,
+                                 fmt::format("'{}' is {}, but a range has one number", written.name, a_type(uniform)),
+                                 "all components get that number; write [1. 2. 3.] to set each one");
         }
         std::fill(control.value.begin(), control.value.end(), current);
         control.min = range.min;
@@ -379,7 +385,7 @@ private:
         const Range limited = limit_range(range, control.type);
         if (limited.min != range.min || limited.max != range.max) {
             warn_range("range-limited", written,
-                       fmt::format("a {} has no values {} {}; {} to {} is used", type_name(uniform),
+                       fmt::format("{} has no values {} {}; {} to {} is used", a_type(uniform),
                                    limited.min != range.min ? "below" : "above",
                                    limited.min != range.min ? limited.min : limited.max, limited.min, limited.max));
         }
