@@ -74,12 +74,14 @@ std::string by_component(const MarkText& mark, int size) {
     return text + "); }\n";
 }
 
-std::string undefined_functions() {
-    std::string text(live_text);
+std::string mark_functions(std::string_view function) {
+    std::string text;
     for (const MarkText& mark : marks) {
+        if (mark.name != function) continue;
         text += mark.text;
         for (int size = 2; size <= 4; ++size) text += by_component(mark, size);
     }
+    if (function == "snell_divisor") return text;  // nothing divides by a matrix
     for (const std::string_view type : {"mat2", "mat3", "mat4"}) {
         const std::string t(type);
         text += t + " snell_value(int n, " + t + " x) { return " + t + "(";
@@ -123,10 +125,12 @@ static bool redirect(Unit& u, const std::string& name) {
     return used;
 }
 
-void provide_marks(Unit& u) {
-    if (u.header.find(live_text) != std::string::npos) return;
+void provide_mark(Unit& u, std::string_view function) {
+    const std::string text = mark_functions(function);
+    if (u.header.find(text) != std::string::npos) return;
     declare_once(u, "snell_Zero", "uniform int snell_Zero;");
-    u.header += undefined_functions();
+    if (u.header.find(live_text) == std::string::npos) u.header += live_text;
+    u.header += text;
 }
 
 void provide_helpers(const Target& target, Unit& u) {
@@ -144,7 +148,7 @@ void provide_helpers(const Target& target, Unit& u) {
         }
     for (const std::string_view function : {"inverse", "determinant"})
         if (!has_doubles(u) && redirect(u, std::string(function))) {
-            provide_marks(u);
+            provide_mark(u, "snell_value");
             u.header += of_matrix(function);
         }
     if (target.es && target.version < 320 && redirect(u, "fma"))

@@ -122,8 +122,8 @@ void choose_settled(Program& program);
 void resolve_marks(Program& program);
 // As Options::constant says; Program::settled has it if every stage does.
 void write_constant(Program& program);
-// The functions that marks call.
-void provide_marks(Unit& unit);
+// The function that marks call, for each type that it takes: snell_divisor or snell_value.
+void provide_mark(Unit& unit, std::string_view function);
 // Initialisers that are no constants move to the start of main.
 void move_initialisers(Program& program, Unit& unit);
 // Qualifiers and types as the target wants them; rewrites the declarations marked dirty.

@@ -188,9 +188,13 @@ std::string mark_call(std::string_view function, std::size_t mark) {
 }
 
 void write_marks(Unit& u, const folding::Decided& decided) {
+    const auto call = [&](std::string_view function, std::size_t mark) {
+        provide_mark(u, function);
+        return mark_call(function, mark);
+    };
     const auto function = [&](std::size_t n) -> std::string {
         if (!decided.text[n].empty()) return "(true ? " + decided.text[n] + " : ";
-        return mark_call(u.marks[n].kind == Mark::Kind::divisor ? "snell_divisor" : "snell_value", n);
+        return call(u.marks[n].kind == Mark::Kind::divisor ? "snell_divisor" : "snell_value", n);
     };
     for (Edit& edit : u.edits)
         for (std::size_t at = edit.before.find(mark_name); at != std::string::npos;
@@ -207,7 +211,7 @@ void write_marks(Unit& u, const folding::Decided& decided) {
     const auto keep_zeros = [&](std::string& text) {
         constexpr std::string_view zero = "0.0";
         for (std::size_t at = text.find(zero); at != std::string::npos;) {
-            const std::string kept = mark_call("snell_value", number++) + "0.0)";
+            const std::string kept = call("snell_value", number++) + "0.0)";
             text.replace(at, zero.size(), kept);
             at = text.find(zero, at + kept.size());
         }
@@ -215,8 +219,6 @@ void write_marks(Unit& u, const folding::Decided& decided) {
     for (std::size_t n = 0; n < u.marks.size(); ++n)
         if (decided.stay[n] && u.marks[n].step < 0) keep_zeros(u.edit(u.marks[n].last).after);
     if (decided.possible) keep_zeros(u.main_start);
-    const bool kept = u.main_start.find("snell_value(") != std::string::npos;
-    if (kept || ranges::count(decided.stay, true) > 0) provide_marks(u);
 }
 
 }  // namespace
