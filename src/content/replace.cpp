@@ -1,12 +1,15 @@
 #include "src/content/replace.h"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
+#include <set>
 
 #include "src/content/files.h"
 #include "src/content/process.h"
@@ -26,13 +29,52 @@ fs::path without_links(const fs::path& path) {
     return target;
 }
 
+namespace {
+
+// What this process has begun to write.
+struct Begun {
+    std::mutex mutex;
+    std::multiset<fs::path> files;
+    bool over = false;
+};
+
+Begun& begun() {
+    static Begun files;
+    // A child that is forked while another thread begins a file could not begin any, and has no right to the parent's.
+    static const int watched = pthread_atfork([] { begun().mutex.lock(); }, [] { begun().mutex.unlock(); },
+                                              [] {
+                                                  begun().files.clear();
+                                                  begun().mutex.unlock();
+                                              });
+    static_cast<void>(watched);
+    return files;
+}
+
+void forget(const fs::path& file) {
+    const std::scoped_lock lock(begun().mutex);
+    if (const auto found = begun().files.find(file); found != begun().files.end()) begun().files.erase(found);
+}
+
+}  // namespace
+
 Replacement::Replacement(const std::string& path)
     : target_(without_links(path)),
-      path_(target_.parent_path() / ("." + target_.filename().string() + "." + std::to_string(getpid()) + ".part")) {}
+      path_(target_.parent_path() / ("." + target_.filename().string() + "." + std::to_string(getpid()) + ".part")) {
+    const std::scoped_lock lock(begun().mutex);
+    begun().files.insert(path_);
+}
 
 Replacement::~Replacement() {
     std::error_code error;
     if (!kept_) fs::remove(path_, error);
+    forget(path_);
+}
+
+void abandon_replacements() {
+    const std::scoped_lock lock(begun().mutex);
+    begun().over = true;
+    std::error_code error;
+    for (const fs::path& file : begun().files) fs::remove(file, error);
 }
 
 std::string Replacement::check() const {
@@ -97,6 +139,8 @@ int open_stream(const std::string& path) {
 
 // A link that exists under the temporary name is removed, not followed.
 int new_file(const fs::path& path) {
+    const std::scoped_lock lock(begun().mutex);
+    if (begun().over) return errno = ECANCELED, -1;
     unlink(path.c_str());
     return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
@@ -122,6 +166,7 @@ std::string overwrite(int file, std::string_view bytes) {
 }  // namespace
 
 std::string Replacement::write_through(std::string_view bytes) {
+    forget(path_);  // it is the only whole copy until the target is written
     // Where the file system reserves no room, the C library reads the file to do so.
     const int file = open(target_.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
     if (file < 0) return target_.string() + ": " + std::strerror(errno);

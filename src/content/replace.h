@@ -35,6 +35,10 @@ private:
     bool kept_ = false;
 };
 
+// Removes the temporary files of all replacements that are not in place, and lets no other begin: for a process that
+// is about to end while its threads go on.
+void abandon_replacements();
+
 // A new file that is written piece by piece. After an error, every call returns that first error.
 class PartFile {
 public:

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 
 #include "tests/cli/command.h"
@@ -48,6 +49,18 @@ TEST_F(Timeout, EndsReadingAndCompiling) {
     expect_ended("info --timeout .0001");
     expect_ended("save --timeout .0001 " + scene() + " -o " + folder.path("copy.glib"));
     EXPECT_EQ(folder.entries(), 3U) << "something was written";
+}
+
+// Whenever it ends, nothing half-written stays.
+TEST_F(Timeout, LeavesNoTemporaryFile) {
+    int ended = 0;
+    for (int n = 0; n < 24; ++n) {
+        const std::string limit = std::to_string(.0001 + .0002 * n);
+        ended += snell("save --timeout " + limit + " " + quick() + " -o " + folder.path("copy.glib")).status == 4;
+        std::filesystem::remove(folder.path("copy.glib"));
+        EXPECT_EQ(folder.entries(), 3U) << limit;
+    }
+    EXPECT_GT(ended, 0);
 }
 
 TEST_F(Timeout, LeavesAloneWhatEnds) {

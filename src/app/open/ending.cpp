@@ -18,6 +18,7 @@
 
 #include "parser/text/words.h"
 #include "src/app/open/complain.h"
+#include "src/content/replace.h"
 #include "src/gl/driver.h"
 
 namespace snell::app {
@@ -85,6 +86,7 @@ void Deadline::watch() {
                 utf8::printable(what_), seconds_);
             [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
             if (last_) last_();
+            content::abandon_replacements();
             // exit() would wait for other threads, which may never return.
             _exit(exit_timeout);
         }
