@@ -204,8 +204,7 @@ TEST_P(LibraryEnvironment, EdgesOfACubeMapAreNoSteps) {
         const auto one = run("", look, sides[0]), other = run("", look, sides[1]), between = run("", look, exact);
         double worst = 0;
         for (std::size_t i = 0; i < one.size(); ++i)
-            for (const glm::vec4& b : {other[i], between[i]})
-                worst = std::max(worst, glm::length(vec(one[i]) - vec(b)));
+            for (const glm::vec4& b : {other[i], between[i]}) worst = worse(worst, glm::length(vec(one[i]) - vec(b)));
         return worst;
     };
     std::optional<double> naive;
@@ -230,16 +229,15 @@ TEST_P(LibraryEnvironment, DenormalsDoNotMatter) {
         double most = 0;
         const auto out = run(before, body, arguments);
         for (std::size_t i = 0; i < out.size(); ++i)
-            if (const double off = angle_between(vec(out[i]), truth(arguments[i])); !(off <= most) && !std::isnan(most))
-                most = off;
+            most = worse(most, angle_between(vec(out[i]), truth(arguments[i])));
         return most;
     };
     const auto same = [](const Arguments& in) { return vec(in.a); };
     const auto wall = [&](const Arguments& in) { return box_direction(vec(in.b), vec(in.a), here); };
-    const double ours = std::max(
-        {worst(environment_include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", same),
-         worst(environment_include, "return vec4(snellNormalize(a.xyz, vec3(0.)), 0.);", same),
-         worst(environment_include, "return vec4(snellBoxDirection(b.xyz, a.xyz, vec3(5.), vec3(0.)), 0.);", wall)});
+    const double ours = worse(
+        worse(worst(environment_include, "return vec4(snellInfiniteDirection(a.xyz), 0.);", same),
+              worst(environment_include, "return vec4(snellNormalize(a.xyz, vec3(0.)), 0.);", same)),
+        worst(environment_include, "return vec4(snellBoxDirection(b.xyz, a.xyz, vec3(5.), vec3(0.)), 0.);", wall));
     const double naive =
         worst("",
               "vec3 inverse = 1. / a.xyz, far = max((5. - b.xyz) * inverse, (-5. - b.xyz) * inverse);\n"
@@ -259,7 +257,7 @@ TEST_P(LibraryEnvironment, SmallAnglesKeepTheirDigits) {
         double worst = 0;
         const auto out = run(before, body, arguments);
         for (std::size_t i = 0; i < out.size(); ++i)
-            worst = std::max(worst, std::abs(static_cast<double>(out[i].x) - static_cast<double>(arguments[i].a.w)));
+            worst = worse(worst, std::abs(static_cast<double>(out[i].x) - static_cast<double>(arguments[i].a.w)));
         return worst;
     };
     std::vector<Arguments> tiny;
@@ -269,7 +267,7 @@ TEST_P(LibraryEnvironment, SmallAnglesKeepTheirDigits) {
         double worst = 0;
         const auto out = run(before, body, tiny);
         for (std::size_t i = 0; i < out.size(); ++i)
-            worst = std::max(worst, std::abs(static_cast<double>(out[i].x / tiny[i].a.w) - 1));
+            worst = worse(worst, std::abs(static_cast<double>(out[i].x / tiny[i].a.w) - 1));
         return worst;
     };
     hard_case({"13", "angles from 1e-3 to 1e-12 rad by atan; naive: acos of the dot product", "relative", 1e-4,
@@ -312,7 +310,7 @@ TEST_P(LibraryLocality, HasTheErrorsThatAreKnown) {
         for (std::size_t i = 0; i < out.size(); ++i) {
             const double off = glm::degrees(angle_between(vec(out[i]), truth[i]));
             sum += off / static_cast<double>(out.size());
-            largest = std::max(largest, off);
+            largest = worse(largest, off);
         }
         EXPECT_NEAR(sum, mean, within) << body;
         if (mean > 1) {

@@ -117,6 +117,29 @@ TEST_P(LibraryLight, IrradianceHasTheErrorsThatAreKnown) {
                "relative", .15, found(light, window, 2), found(light, flat, 2)});
 }
 
+// Light of the first three orders alone: the cosine keeps 1, 2/3 and 1/4 of them (Ramamoorthi and Hanrahan 2001).
+TEST_P(LibraryLight, IrradianceOfThreeOrdersIsExact) {
+    const auto light = [](const glm::dvec3& d, double constant, double linear, double quadratic) {
+        const double one = glm::dot(d, {.3, -.2, .1});
+        const double two = .4 * d.x * d.y + .3 * d.y * d.z - .2 * d.x * d.z + .2 * (3 * d.z * d.z - 1) +
+                           .3 * (d.x - d.y) * (d.x + d.y);
+        return constant + linear * one + quadratic * two;
+    };
+    const std::string sh = coefficients([&](const glm::dvec3& d) { return glm::dvec3(light(d, 1, 1, 1), 2, d.y + 2); });
+    const auto arguments = normals(500);
+    for (int order = 0; order <= 2; ++order) {
+        const auto out =
+            run("#include <snell/irradiance.glsl>\n",
+                sh + "return vec4(snellIrradianceHarmonics(sh, a.xyz, " + std::to_string(order) + "), 0.);", arguments);
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const glm::dvec3 n = vec(arguments[i].a);
+            const double linear = order > 0 ? 2. / 3 : 0;
+            const glm::dvec3 truth(light(n, 1, linear, order > 1 ? .25 : 0), 2, linear * n.y + 2);
+            EXPECT_LT(glm::length(vec(out[i]) - truth), 3e-5) << order;
+        }
+    }
+}
+
 TEST_P(LibraryLight, IrradianceIsNeverNegative) {
     const Radiance sun = [](const glm::dvec3& d) { return glm::dvec3(d.y > 0.996 ? 300 : 0); };
     int clamped = 0, negative = 0;
