@@ -122,7 +122,7 @@ TEST_P(LibraryTwoSided, IsWithinADegreeUpToSixTenths) {
         const struct {
             float impact;
             double degrees;
-        } printed[] = {{.3F, .07}, {.5F, .40}, {.6F, .88}, {.7F, 1.9}, {.8F, 4.9}};
+        } printed[] = {{.1F, .002}, {.3F, .07}, {.5F, .40}, {.6F, .88}, {.7F, 1.9}, {.8F, 4.9}};
         double sums[std::size(printed)] = {}, counts[std::size(printed)] = {};
         for (std::size_t i = 0; i < out.size(); ++i) {
             const glm::dvec3 n = vec(arguments[i].b), along(0, 0, -1);
