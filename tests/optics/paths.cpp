@@ -49,6 +49,13 @@ Triangles torus_mesh() {
     return out;
 }
 
+Triangles box_mesh(const glm::dvec3& half) {
+    Triangles out{{}, {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                       2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5}};
+    for (int i = 0; i < 8; ++i) out.positions.push_back(half * (2. * glm::dvec3(i & 1, i >> 1 & 1, i >> 2) - 1.));
+    return out;
+}
+
 // Rays from a plane at z = 5 down, spread over a square, not along any edge of the mesh.
 std::vector<Ray> rain(int side, double half) {
     std::vector<Ray> out;
@@ -177,6 +184,35 @@ TEST(MeshPath, LosesNoLightAndWaysBackAreTheSame) {
             EXPECT_NEAR(sum, 1, 1e-12);
         }
     EXPECT_GT(compared, 100);
+}
+
+// What came in through one side of a slab goes out through the other, however flat.
+TEST(MeshPath, ASlabLetsLightOutAsItCame) {
+    const Triangles slab = box_mesh({50, 50, .2});
+    const MeshTracer mesh(slab.positions, slab.indices);
+    for (const double n : {1.0003, 1.5, 2.42})
+        for (double c = 1; c > 0.02; c *= 0.99) {
+            const glm::dvec3 along(0.6 * std::sqrt((1 - c) * (1 + c)), 0.8 * std::sqrt((1 - c) * (1 + c)), -c);
+            const auto light = through_mesh(mesh, {glm::dvec3(.1, .2, .2) - 9. * along, along}, 1, n);
+            ASSERT_GE(light.exits.size(), 2U) << n << " " << c;
+            EXPECT_TRUE(light.exits[1].through) << n << " " << c;
+            EXPECT_LT(angle_between(light.exits[1].direction, along), 1e-13) << n << " " << c;
+        }
+}
+
+// Next to edges and corners, where a path meets two faces within a rounding of each other.
+TEST(MeshPath, EdgesAndCornersDoNotLeak) {
+    const Triangles box = box_mesh({1, .9, .8});
+    const MeshTracer mesh(box.positions, box.indices);
+    for (const glm::dvec3& corner : box.positions)
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double t : {0.0, 1e-16, 1e-15, 1e-9, 0.3}) {
+                glm::dvec3 toward = corner;
+                toward[axis] *= 1 - 2 * t;
+                for (const glm::dvec3& from : {glm::dvec3(3, 4, 5), glm::dvec3(-4, 1, 3), glm::dvec3(0.1, -5, 0.3)})
+                    for (const MeshExit& exit : through_mesh(mesh, {from, toward - from}, 1, 1.5).exits)
+                        EXPECT_TRUE(exit.closed) << t;
+            }
 }
 
 }  // namespace
