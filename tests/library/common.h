@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -75,6 +76,8 @@ protected:
 
 inline glm::dvec3 vec(const glm::vec4& v) { return {v.x, v.y, v.z}; }
 bool finite(const glm::vec4& v);
+// The larger of two errors; NaN if one is, which then fails wherever it is compared.
+inline double worse(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
 
 // Fails with the first calls of `body` whose results are not good.
 void expect_each(const std::vector<glm::vec4>& results, const std::vector<Arguments>& arguments, std::string_view body,

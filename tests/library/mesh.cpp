@@ -275,18 +275,15 @@ TEST_P(LibraryMesh, FarFromTheModelsOriginAndOfAnySize) {
     const auto off = [&](float offset, float size, bool naive) {
         double worst = 0;
         const auto out = seen(offset, size, naive);
-        for (std::size_t i = 0; i < out.size(); ++i)
-            if (const double there = glm::length(out[i] - at_home[i]); !(there <= worst) && !std::isnan(worst))
-                worst = there;
+        for (std::size_t i = 0; i < out.size(); ++i) worst = worse(worst, glm::length(out[i] - at_home[i]));
         return worst;
     };
     hard_case(
         {"A41",
          "rays through a glass box 0 to 1e6 away from its model's origin; naive: a tree in the model's coordinates",
-         "of the light", 1e-3, std::max(off(1e3F, 1, false), off(1e6F, 1, false)), off(1e6F, 1, true)});
+         "of the light", 1e-3, worse(off(1e3F, 1, false), off(1e6F, 1, false)), off(1e6F, 1, true)});
     hard_case({"A55", "rays through glass boxes of sizes 1e-24 and 1e24; naive: a tree in the model's coordinates",
-               "of the light", 1e-3, std::max(off(0, 0x1p-80F, false), off(0, 0x1p80F, false)),
-               off(0, 0x1p-80F, true)});
+               "of the light", 1e-3, worse(off(0, 0x1p-80F, false), off(0, 0x1p80F, false)), off(0, 0x1p-80F, true)});
 }
 
 // A box without its front, and a box with another of air in it, whose faces look inward.
@@ -313,8 +310,7 @@ TEST_P(LibraryMesh, OpenAndInnerFaces) {
                  "break; sum += s.energy; open += s.closed ? 0. : 1.; }\n"
                  "return vec4(sum, s.inside, open, 0.);",
                  view(24, 1.5F))) {
-            const double off = std::abs(static_cast<double>(r.x) + static_cast<double>(r.y) - 1);
-            if (!(off <= worst) && !std::isnan(worst)) worst = off;
+            worst = worse(worst, std::abs(static_cast<double>(r.x) + static_cast<double>(r.y) - 1));
             open_exits += r.z > 0;
         }
         return (open_exits > 0) == leaks ? worst : 1.0;

@@ -46,6 +46,36 @@ TEST_P(LibraryMetal, EveryRungAgreesWithTheOracle) {
     }
 }
 
+// What docs/light.md prints: the reflectance at normal incidence, and the largest errors over all angles.
+TEST_P(LibraryMetal, RungsHaveTheErrorsThatAreKnown) {
+    const struct {
+        const char* name;
+        double nanometres, f0, schlick, lazanyi;
+    } printed[] = {{"gold", 650, .96, .0165, .0050},       {"gold", 450, .41, .0179, .0170},
+                   {"silver", 650, .99, .0064, .00116},    {"copper", 650, .935, .0245, .0070},
+                   {"aluminium", 550, .915, .0962, .0078}, {"chromium", 550, .554, .1979, .0236}};
+    constexpr int steps = 4000;
+    for (const auto& row : printed) {
+        SCOPED_TRACE(row.name);
+        const Complex n = std::ranges::find(metals(), row.name, &Metal::name)->index(row.nanometres);
+        std::vector<Arguments> arguments;
+        for (int i = 0; i <= steps; ++i) arguments.push_back({glm::vec4(1 - i / 4000., n.eta, n.k, 0), {}, {}});
+        const auto shares = run(metal_include,
+                                "float f0 = snellFresnelConductor(1., 1., a.y, a.z);\n"
+                                "return vec4(snellFresnelConductor(a.x, 1., a.y, a.z), snellFresnelSchlick5(a.x, f0), "
+                                "snellFresnelLazanyi(a.x, f0, snellFresnelLazanyiDepth(1., a.y, a.z)), 0.);",
+                                arguments);
+        double schlick = 0, lazanyi = 0;
+        for (const glm::vec4& r : shares) {
+            schlick = worse(schlick, std::abs(r.y - r.x));
+            lazanyi = worse(lazanyi, std::abs(r.z - r.x));
+        }
+        EXPECT_NEAR(shares[0].x, row.f0, .005);
+        EXPECT_NEAR(schlick / row.schlick, 1, .1);
+        EXPECT_NEAR(lazanyi / row.lazanyi, 1, .1);
+    }
+}
+
 TEST_P(LibraryMetal, SpecialValuesGiveReflectances) {
     for (const char* body : {"return vec4(snellFresnelLazanyi(a.x, a.y, a.z));",
                              "return vec4(snellFresnelLazanyi(a.x, .9, snellFresnelLazanyiDepth(a.y, a.z, a.w)));"}) {

@@ -48,7 +48,7 @@ TEST_P(LibraryRay, ABallIsHitFromAfar) {
             ASSERT_TRUE(truth);
             EXPECT_EQ(results[i].z, 1) << distance;
             EXPECT_NEAR(results[i].x, truth->enter * glm::length(d), 1e-6 * distance + 2e-6) << distance;
-            worst = std::max(worst, std::abs(results[i].x - truth->enter * glm::length(d)));
+            worst = worse(worst, std::abs(results[i].x - truth->enter * glm::length(d)));
             EXPECT_NEAR(results[i].y, truth->leave * glm::length(d), 1e-6 * distance + 2e-6) << distance;
             worst_textbook = std::max(worst_textbook, std::abs(textbook[i].x - truth->enter));
         }

@@ -30,7 +30,8 @@ Read read_file(const fs::path& path) {
     return r;
 }
 
-// How many draws the scene has, then line:column-line:column severity code of each diagnostic.
+// How many draws the scene has, then line:column-line:column severity code of each diagnostic. Many odd scenes have one
+// draw and none: those have no file that says so.
 std::string summary(const Read& r) {
     std::string out = "draws " + std::to_string(r.scene().draws.size()) + "\n";
     const auto place = [&](FileId file, std::uint32_t offset) {
@@ -46,7 +47,10 @@ std::string summary(const Read& r) {
 TEST(Files, OddScenesAreReadAsExpected) {
     const auto files = scenes("odd");
     EXPECT_GE(files.size(), 60u);
-    for (const fs::path& path : files) EXPECT_EQ(summary(read_file(path)), expectation(path)) << path;
+    for (const fs::path& path : files) {
+        const std::string expected = expectation(path);
+        EXPECT_EQ(summary(read_file(path)), expected.empty() ? "draws 1\n" : expected) << path;
+    }
 }
 
 TEST(Files, BadScenesAreExplainedWordForWord) {

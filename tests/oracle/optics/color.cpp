@@ -47,17 +47,13 @@ glm::dvec3 xyz_to_linear_srgb(const glm::dvec3& c) {
             0.0556434 * c.x - 0.2040259 * c.y + 1.0572252 * c.z};
 }
 
-std::vector<Band> spectral_bands(int count, Weights weights) {
+std::vector<Band> spectral_bands(int count) {
     const double width = (last_nm - first_nm) / count;
     std::vector<Band> bands;
     glm::dvec3 total(0);
     for (int i = 0; i < count; ++i) {
-        const double low = first_nm + i * width, middle = low + 0.5 * width;
-        Band band{middle, xyz_to_linear_srgb(cie_1931(middle))};
-        if (weights == Weights::integrated) {
-            const Sum sum = integrate(low, width);
-            band = {sum.moment / sum.mass, xyz_to_linear_srgb(sum.xyz)};
-        }
+        const Sum sum = integrate(first_nm + i * width, width);
+        const Band band{sum.moment / sum.mass, xyz_to_linear_srgb(sum.xyz)};
         total += band.rgb;
         bands.push_back(band);
     }

@@ -19,15 +19,11 @@ struct Band {
     double nanometres = 0;
     glm::dvec3 rgb{0};
 };
-enum class Weights {
-    integrated,  // the matching functions' integral over the band; the wavelength is its centroid under x̄ + ȳ + z̄
-    midpoint     // their value at the band's middle
-};
-// `count` bands of equal width over 380..780 nm. The weights of each channel sum to 1, so that a uniform white
-// environment stays white: without it, 4 bands make it magenta. Integrated weights cost nothing at run time and
-// make 4 bands better than three chosen wavelengths on a sharp edge. Precondition: count >= 1; with fewer than three
-// bands some channel may have weights of both signs that nearly cancel.
-std::vector<Band> spectral_bands(int count, Weights weights = Weights::integrated);
+// `count` bands of equal width over 380..780 nm: the matching functions' integral over the band, at its centroid under
+// x̄ + ȳ + z̄. The weights of each channel sum to 1, so that a uniform white environment stays white: without it, 4 bands
+// make it magenta. Precondition: count >= 1; with fewer than three bands some channel may have weights of both signs
+// that nearly cancel.
+std::vector<Band> spectral_bands(int count);
 
 // The three wavelengths that stand for red, green and blue where there are only three: 611, 549, 464 nm.
 inline constexpr glm::dvec3 rgb_wavelengths{611.0, 549.0, 464.0};

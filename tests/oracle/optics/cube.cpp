@@ -46,10 +46,6 @@ glm::dvec3 bilinear(const Footprint& f, Fetch fetch) {
     return glm::mix(top, bottom, f.v);
 }
 
-glm::dvec3 fetch_clamped(const Texels& face, int column, int row) {
-    return face.at(std::clamp(column, 0, face.width - 1), std::clamp(row, 0, face.height - 1));
-}
-
 // One step beyond one edge: the centre of that texel, folded about the edge onto the neighbouring face. A texel
 // centre goes to a texel centre exactly.
 glm::dvec3 fetch_beyond_edge(const CubeTexels& faces, int face, int column, int row) {
@@ -102,20 +98,17 @@ glm::dvec3 Texels::at(int column, int row) const {
     return glm::dvec3(bytes[first], bytes[first + 1], bytes[first + 2]) / 255.0;
 }
 
-glm::dvec3 sample_cube(const CubeTexels& faces, const glm::dvec3& direction, Edges edges) {
+glm::dvec3 sample_cube(const CubeTexels& faces, const glm::dvec3& direction) {
     const CubePoint p = cube_point(direction).value_or(CubePoint{4, 0.5, 0.5});
     const Texels& face = faces[static_cast<std::size_t>(p.face)];
-    return bilinear(footprint(p.s, p.t, face.width, face.height), [&](int column, int row) {
-        return edges == Edges::clamped ? fetch_clamped(face, column, row) : fetch_seamless(faces, p.face, column, row);
-    });
+    return bilinear(footprint(p.s, p.t, face.width, face.height),
+                    [&](int column, int row) { return fetch_seamless(faces, p.face, column, row); });
 }
 
-glm::dvec3 sample_2d(const Texels& image, double s, double t, Wrap wrap) {
-    const auto place = [wrap](int i, int size) {
-        return wrap == Wrap::clamp ? std::clamp(i, 0, size - 1) : ((i % size) + size) % size;
-    };
+glm::dvec3 sample_2d(const Texels& image, double s, double t) {
     return bilinear(footprint(s, t, image.width, image.height), [&](int column, int row) {
-        return image.at(place(column, image.width), image.height - 1 - place(row, image.height));
+        return image.at(std::clamp(column, 0, image.width - 1),
+                        image.height - 1 - std::clamp(row, 0, image.height - 1));
     });
 }
 

@@ -32,17 +32,13 @@ struct Texels {
 };
 using CubeTexels = std::array<Texels, 6>;  // square, of one size
 
-enum class Edges { clamped, seamless };
+// Bilinear; colours are the bytes / 255, mixed as they are (linear arithmetic, no sRGB). Beyond an edge the
+// neighbouring face's texels count, and at a corner the mean of the three that meet (OpenGL 4.6 core §8.16.1). A
+// direction of zero length gives the +Z face's centre, as graphics drivers do.
+glm::dvec3 sample_cube(const CubeTexels& faces, const glm::dvec3& direction);
 
-// Bilinear; colours are the bytes / 255, mixed as they are (linear arithmetic, no sRGB). Seamless: beyond an edge the
-// neighbouring face's texels count, and at a corner the mean of the three that meet (OpenGL 4.6 core §8.16.1).
-// A direction of zero length gives the +Z face's centre, as graphics drivers do.
-glm::dvec3 sample_cube(const CubeTexels& faces, const glm::dvec3& direction, Edges edges = Edges::seamless);
-
-enum class Wrap { clamp, repeat };
-
-// Bilinear on a 2D texture made from an image whose *bottom* row is at t = 0.
-glm::dvec3 sample_2d(const Texels& image, double s, double t, Wrap wrap = Wrap::repeat);
+// Bilinear on a 2D texture made from an image whose *bottom* row is at t = 0; clamped at its edges.
+glm::dvec3 sample_2d(const Texels& image, double s, double t);
 
 // Where direction meets the walls of a room around the origin, as texture coordinates of the six textured quads
 // (QuadYZ, QuadXZ, QuadXY at ±a): same image as the cube face, t up. nullopt as cube_point.

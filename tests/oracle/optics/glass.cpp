@@ -147,8 +147,6 @@ double Glass::index(double nanometres) const {
 
 double Glass::abbe() const { return (index(line_d) - 1.0) / (index(line_f) - index(line_c)); }
 
-std::span<const Glass> glasses() { return table; }
-
 const Glass* find_glass(std::string_view name) {
     const auto* found = std::ranges::find(table, name, &Glass::name);
     return found == table.end() ? nullptr : found;

@@ -24,7 +24,6 @@ struct Glass {
 
 // Air, ice, water, Pyrex, window glass, quartz, BK7, SF11, cubic zirconia, diamond, moissanite; by rising index_d
 // but for the two optical glasses.
-std::span<const Glass> glasses();
 // By name, letter for letter; null: there is none.
 const Glass* find_glass(std::string_view name);
 

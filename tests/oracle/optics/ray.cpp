@@ -46,12 +46,6 @@ std::optional<Crossing> cross_box(const Ray& ray, const glm::dvec3& low, const g
     return c;
 }
 
-std::optional<double> cross_plane(const Ray& ray, const glm::dvec3& normal, double offset) {
-    const double slope = glm::dot(normal, ray.direction);
-    if (slope == 0.0) return std::nullopt;
-    return (offset - glm::dot(normal, ray.origin)) / slope;
-}
-
 std::optional<glm::dvec3> room_hit(const Ray& ray, const glm::dvec3& half) {
     if (glm::any(glm::greaterThan(glm::abs(ray.origin), half))) return std::nullopt;
     const auto c = cross_box(ray, -half, half);
@@ -64,15 +58,6 @@ Ray camera_ray(const Camera& camera, double x, double y, int width, int height) 
     const double scale = 2.0 * half_height(camera) / height;  // of one pixel at distance 1; pixels are square
     const double across = (x - width / 2.0) * scale, upward = (height / 2.0 - y) * scale;
     return {camera.eye, glm::normalize(axes.forward + across * axes.right + upward * axes.up)};
-}
-
-std::optional<glm::dvec2> project(const Camera& camera, const glm::dvec3& point, int width, int height) {
-    const Axes axes = axes_of(camera);
-    const glm::dvec3 to = point - camera.eye;
-    const double depth = glm::dot(to, axes.forward);
-    if (!(depth > 0.0)) return std::nullopt;
-    const double scale = height / (2.0 * half_height(camera) * depth);
-    return glm::dvec2(width / 2.0 + glm::dot(to, axes.right) * scale, height / 2.0 - glm::dot(to, axes.up) * scale);
 }
 
 }  // namespace snell::optics

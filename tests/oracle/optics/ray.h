@@ -23,9 +23,6 @@ std::optional<Crossing> cross_sphere(const Ray& ray, const glm::dvec3& centre, d
 // Slabs (Kay and Kajiya 1986); a component of direction that is zero decides by the origin alone. nullopt: misses.
 std::optional<Crossing> cross_box(const Ray& ray, const glm::dvec3& low, const glm::dvec3& high);
 
-// Distance to the plane normal · x = offset. nullopt: parallel.
-std::optional<double> cross_plane(const Ray& ray, const glm::dvec3& normal, double offset);
-
 // Where a ray that starts inside leaves the room -half..half. nullopt: the origin is outside.
 std::optional<glm::dvec3> room_hit(const Ray& ray, const glm::dvec3& half);
 
@@ -39,8 +36,5 @@ struct Camera {
 // the middle of the top left pixel is (.5, .5). The direction has length 1. Precondition: eye, centre and up span a
 // plane.
 Ray camera_ray(const Camera& camera, double x, double y, int width, int height);
-
-// The inverse: where a point of the world appears. nullopt: behind the eye.
-std::optional<glm::dvec2> project(const Camera& camera, const glm::dvec3& point, int width, int height);
 
 }  // namespace snell::optics

@@ -14,7 +14,6 @@ struct Exit {
     glm::dvec3 normal{0};     // where it leaves: the unit vector from the centre to that point
     glm::dvec3 direction{0};  // unit length, away from the ball
     double energy = 0;        // share of the light, with unpolarised reflectances multiplied at every interface
-    Polarised polarised;      // the same kept apart by polarisation; the plane of incidence never changes in a ball
 };
 
 struct SphereLight {
