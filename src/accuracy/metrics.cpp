@@ -303,8 +303,13 @@ std::vector<Color> perceived(const std::array<Plane, 3>& opponent, double pixels
     const Plane red_green = behind_eye(opponent[1], {1, 0}, {.0053, 1e-5}, pixels_per_degree);
     const Plane blue_yellow = behind_eye(opponent[2], {34.1, 13.5}, {.04, .025}, pixels_per_degree);
     std::vector<Color> colors;
-    for (std::size_t p = 0; p < light.values.size(); ++p)
-        colors.push_back(to_hunt_lab(from_opponent({light.values[p], red_green.values[p], blue_yellow.values[p]})));
+    Color before{}, color{};  // neighbours are often alike, and roots cost more than the comparison
+    for (std::size_t p = 0; p < light.values.size(); ++p) {
+        const Color here{light.values[p], red_green.values[p], blue_yellow.values[p]};
+        if (p == 0 || here != before) color = to_hunt_lab(from_opponent(here));
+        before = here;
+        colors.push_back(color);
+    }
     return colors;
 }
 
@@ -379,8 +384,10 @@ std::vector<float> flip_map(const Picture& picture, const Picture& reference, do
     const Plane point_a = features(light[0], pixels_per_degree, false),
                 point_b = features(light[1], pixels_per_degree, false);
     std::vector<float> map(picture.pixels());
+    double color = 0;
     for (std::size_t p = 0; p < map.size(); ++p) {
-        const double color = std::min(compressed(hyab(seen_a[p], seen_b[p]), largest), 1.0);
+        if (p == 0 || seen_a[p] != seen_a[p - 1] || seen_b[p] != seen_b[p - 1])
+            color = std::min(compressed(hyab(seen_a[p], seen_b[p]), largest), 1.0);
         const float feature =
             std::max(std::abs(edge_a.values[p] - edge_b.values[p]), std::abs(point_a.values[p] - point_b.values[p]));
         const double amplify = std::min(std::sqrt(static_cast<double>(feature) / std::numbers::sqrt2), 1.0);

@@ -36,9 +36,28 @@ std::uint16_t float_to_half(float value) {
     return static_cast<std::uint16_t>(sign | (magnitude - 0x38000000u + 0xfffu + odd) >> 13);
 }
 
-double light_of_srgb(double encoded) {
+namespace {
+
+double light_by_curve(double encoded) {
     const double c = std::abs(encoded);
     return std::copysign(c <= .04045 ? c / 12.92 : std::pow((c + .055) / 1.055, 2.4), encoded);
+}
+
+// What number_at() makes of a byte.
+double number_of_byte(std::size_t byte) { return static_cast<double>(static_cast<float>(byte) / 255.0f); }
+
+}  // namespace
+
+// Pictures of bytes have 256 numbers, which are looked up: powers cost more than all else that is done with them.
+double light_of_srgb(double encoded) {
+    static const std::array<double, 256> table = [] {
+        std::array<double, 256> light{};
+        for (std::size_t i = 0; i < light.size(); ++i) light[i] = light_by_curve(number_of_byte(i));
+        return light;
+    }();
+    const double scaled = encoded * 255;
+    const std::size_t byte = scaled > 0 && scaled < 255.5 ? static_cast<std::size_t>(scaled + .5) : 0;
+    return byte > 0 && encoded == number_of_byte(byte) ? table[byte] : light_by_curve(encoded);
 }
 
 double srgb_of_light(double light) {
