@@ -424,6 +424,14 @@ bool Fusion::add_numbers(const Unit& u, Type type, const std::string& from, cons
     return true;
 }
 
+bool Fusion::take_number(Unit& fragment) {
+    if (!mentions(fragment, "gl_PrimitiveID")) return false;
+    for (int i = 0; i < static_cast<int>(fragment.tokens.size()); ++i)
+        if (fragment.at(i).text == "gl_PrimitiveID") fragment.replace(i, "snell_PrimitiveID");
+    fragment.header += "flat in highp int snell_PrimitiveID;\n";
+    return true;
+}
+
 int Fusion::value_of(const Unit& u, std::string_view text) {
     int n = -1;
     std::from_chars(text.data(), text.data() + text.size(), n);

@@ -76,6 +76,10 @@ protected:
                             std::vector<Number>& numbers);
     static std::string own_type_name(const Unit& u, const Type& type);
 
+    // The number of the primitive becomes a variable that the stage before gives; false if the fragment stage does not
+    // read it.
+    static bool take_number(Unit& fragment);
+
     // Of a layout; -1 where it is not known.
     static int value_of(const Unit& u, std::string_view text);
 

@@ -121,13 +121,7 @@ private:
             passed_.push_back({from->name, input.name, from->type});
             outputs_ += declared(input);
         }
-        for (int i = 0; i < static_cast<int>(u.tokens.size()); ++i) {
-            if (u.at(i).text != "gl_PrimitiveID") continue;
-            u.replace(i, "snell_PrimitiveID");
-            reads_number_ = true;
-        }
-        if (!reads_number_) return;
-        u.header = "flat in highp int snell_PrimitiveID;\n";
+        if (!take_number(u)) return;
         outputs_ += "flat out highp int snell_PrimitiveID;\n";
         passed_.push_back({"snell_primitive_out", "snell_PrimitiveID", make_type(Base::integer)});
     }
@@ -302,7 +296,7 @@ void main() {
     std::string structs_, outputs_, hand_on_;
     std::vector<std::string> slots_;
     std::set<int> defined_;
-    bool sized_ = false, reads_number_ = false;
+    bool sized_ = false;
 };
 
 }  // namespace

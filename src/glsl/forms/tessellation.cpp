@@ -414,13 +414,16 @@ highp uvec4 snell_texel(int n) { return texelFetch(snell_StagePatches, ivec2(n &
 
     // As in a program that never had other stages.
     void join_fragment() {
-        if (!options_.target.es) return;
         std::vector<Unit>& units = quiet_program_.units;
         units.clear();
         units.reserve(out_.stages.size());  // texts may be in the units themselves
         for (const StageOutput& each : out_.stages) units.push_back(read_again(each, false));
         flatten_blocks(quiet_program_);
-        give_point_size(units.front());
+        if (options_.target.es) give_point_size(units.front());
+        if (take_number(units.back())) {
+            units.front().header += "flat out highp int snell_PrimitiveID;\n";
+            at_main_start(units.front(), "snell_PrimitiveID = int(snell_Domain.z);");
+        }
         for (std::size_t i = 0; i < units.size(); ++i) {
             write_declarations(quiet_program_, units[i]);
             out_.stages[i].text = emit(quiet_program_, units[i]);

@@ -276,6 +276,10 @@ void give_outputs(const Program& program, Unit& u) {
             (u.stage != Stage::fragment || (g.written && !g.name.starts_with("snell_"))))
             give(u, g);
     if (u.stage == Stage::fragment) return;
+    const bool numbered = ranges::any_of(program.units, [](const Unit& other) {
+        return other.stage == Stage::fragment && mentions(other, "gl_PrimitiveID");
+    });
+    if (u.stage == Stage::geometry && numbered) at_main_start(u, "gl_PrimitiveID = 0;");
     for (const Block& b : u.blocks)
         if (b.qualifiers.storage == Storage::out && !b.arrayed && !b.name.starts_with("gl_") &&
             !b.name.starts_with("snell_"))

@@ -98,6 +98,8 @@ void assign_outputs(Program& program, Unit& fragment);
 int vertices_in(const Unit& geometry);
 // Layouts that an old geometry shader leaves to the application.
 void complete_geometry(Program& program, Unit& geometry);
+// Levels of tessellation that are indexed by what may differ between invocations are set by a function.
+void choose_levels(Unit& control);
 // Functions that the target lacks, or that leave results undefined, where they are called: noise1 … noise4, fma,
 // smoothstep; and those that undefined operands are marked with.
 void provide_helpers(const Target& target, Unit& unit);

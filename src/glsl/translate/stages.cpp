@@ -1,5 +1,7 @@
-// Stages that a program leaves out, and layouts that a geometry shader leaves to the application.
+// Stages that a program leaves out, layouts that a geometry shader leaves to the application, and levels that each
+// invocation of a tessellation control shader chooses.
 #include <algorithm>
+#include <tuple>
 
 #include "parser/text/words.h"
 #include "src/glsl/translate/program.h"
@@ -109,6 +111,55 @@ void complete_geometry(Program& program, Unit& u) {
     fit_inputs(program, u);
     if (!has_output) u.header += "layout(" + output_primitive(program.options) + ") out;\n";
     if (!has_count) u.header += "layout(max_vertices = " + std::to_string(most_vertices(u)) + ") out;\n";
+}
+
+namespace {
+
+// Where the expression that begins at `i` ends: its last token.
+int expression_end(const Unit& u, int i) {
+    for (int depth = 0; u.at(i).kind != Kind::end; ++i) {
+        const std::string_view t = u.at(i).text;
+        const bool opens = t == "(" || t == "[" || t == "{", closes = t == ")" || t == "]" || t == "}";
+        if (depth == 0 && (closes || t == ";" || t == ",")) break;
+        depth += opens ? 1 : closes ? -1 : 0;
+    }
+    return i - 1;
+}
+
+// name[index] = value → set(int(index), value)
+void set_level(Unit& u, int name, const std::string& set) {
+    const int index = expression_end(u, name + 2), op = index + 2, value = expression_end(u, op + 1);
+    const std::string level = std::string(u.at(name).text) + "[" + render(u, name + 2, index) + "]";
+    const std::string_view how = u.at(op).text;
+    u.replace(name, set);
+    u.replace(name + 1, "(int(");
+    u.replace(index + 1, ")");
+    u.replace(op, how == "=" ? "," : ", " + level + " " + how[0] + " (");
+    u.edit(value).after.insert(0, how == "=" ? ")" : "))");
+}
+
+}  // namespace
+
+// llvmpipe takes the element of one invocation for all of them (Mesa 22.3).
+void choose_levels(Unit& u) {
+    for (const auto& [name, set, size] :
+         {std::tuple("gl_TessLevelOuter", "snell_SetOuter", 4), std::tuple("gl_TessLevelInner", "snell_SetInner", 2)}) {
+        bool chosen = false;
+        for (int i = 0; i + 4 < static_cast<int>(u.tokens.size()); ++i) {
+            if (u.at(i).text != name || u.at(i + 1).text != "[") continue;
+            const int index = expression_end(u, i + 2);
+            const bool constant = index == i + 2 && u.at(index).kind == Kind::integer;
+            const std::string_view op = u.at(index + 2).text;
+            if (constant || (op != "=" && op != "+=" && op != "-=" && op != "*=" && op != "/=")) continue;
+            set_level(u, i, set);
+            chosen = true;
+        }
+        if (!chosen) continue;
+        u.header += std::string("float ") + set + "(int n, float level) {";
+        for (int n = 0; n < size; ++n)
+            u.header += " if (n == " + std::to_string(n) + ") " + name + "[" + std::to_string(n) + "] = level;";
+        u.header += " return level; }\n";
+    }
 }
 
 }  // namespace snell::glsl

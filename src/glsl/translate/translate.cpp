@@ -133,6 +133,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
         want_extensions(options.target, u);
         provide_helpers(options.target, u);
         if (u.stage == Stage::geometry) complete_geometry(program, u);
+        if (u.stage == Stage::tess_control) choose_levels(u);
     }
     size_arrays(program);
     unify_uniforms(program);
