@@ -49,6 +49,20 @@ TEST(GlslPreprocess, MacrosThatRedefineTheLanguage) {
                    "void main() { half CAT(x, 1) = 1.; gl_FragColor = texture(t, vec2(x1)); }"}});
 }
 
+// Mesa reads on behind such a name, in search of what closes its arguments: it gets the text without macros.
+TEST(GlslPreprocess, NamesOfMacrosWithParametersMayBeVariables) {
+    for (const char* use : {"vec4(f)", "vec4(g(f))", "vec4(k)", "vec4(f + f(2.))"}) {
+        const Translated t = fragment(
+            "#define f(x) (x)\n#define g(x) (x)\n#define k f\nvoid main() { float f = 1.; "
+            "gl_FragColor = " +
+            std::string(use) + "; }\n");
+        EXPECT_FALSE(t.has(Stage::fragment, "#define")) << use;
+        expect_accepted(t.translation);
+    }
+    EXPECT_TRUE(
+        fragment("#define f(x) (x)\nvoid main() { gl_FragColor = vec4(f(1.)); }\n").has(Stage::fragment, "#define"));
+}
+
 TEST(GlslPreprocess, OddCharacters) {
     const std::string text =
         "\xEF\xBB\xBF#version 330 compatibility\r\nvoid main()\r\n{\r\n\xC2\xA0\xC2\xA0gl_FragColor\xC2\xA0= vec4(1.); "

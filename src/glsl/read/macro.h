@@ -33,6 +33,7 @@ public:
     void undefine(std::string_view name);
     const Macro* find(std::string_view name) const;
     bool defined(std::string_view name);  // the operator of #if
+    void note_uncalled() { uncalled_ = true; }
 
     // Replaces macros in `in` until none is left. Gives up, returning false, past a bound on size or depth, and where a
     // macro has another number of arguments than it takes: then `misused` says so.
@@ -45,6 +46,9 @@ public:
     bool asked_context() const { return asked_context_; }
     // True when pasting with ## took place.
     bool pasted() const { return pasted_; }
+    // True when a macro with parameters was named without arguments. Mesa reads a text to its end then, in search of
+    // what closes them.
+    bool uncalled() const { return uncalled_; }
 
 private:
     bool expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& out, std::vector<std::string_view>& active);
@@ -60,6 +64,7 @@ private:
     std::size_t budget_ = 200'000;
     bool asked_context_ = false;
     bool pasted_ = false;
+    bool uncalled_ = false;
     std::string misused_;
 };
 

@@ -33,7 +33,9 @@ public:
         unit_.tokens.push_back(end);
     }
     // True if only the expanded form has the meaning of the text.
-    bool must_expand() const { return macros_.asked_context() || macros_.pasted() || shadows_language_ || broken_; }
+    bool must_expand() const {
+        return macros_.asked_context() || macros_.pasted() || macros_.uncalled() || shadows_language_ || broken_;
+    }
 
 private:
     struct Conditional {
@@ -158,7 +160,10 @@ bool Preprocessor::invocation(const Lexeme& name) {
     std::size_t end = at_ + name.text.size();
     if (macro->function) {
         const auto close = arguments_end(end);
-        if (!close) return false;
+        if (!close) {
+            macros_.note_uncalled();
+            return false;
+        }
         end = *close;
     }
     std::vector<MacroToken> out;
