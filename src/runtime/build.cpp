@@ -238,8 +238,9 @@ runtime::Variant Runtime::Impl::variant_of(Index pass, const Draw& draw) const {
 // Until the mesh is there, by what is written.
 int Runtime::Impl::patch_of(const Draw& draw) const {
     const auto tessellates = [](const glsl::StageInput& stage) { return stage.stage == Stage::tess_evaluation; };
-    if (caps.tessellation || draw.program == none || ranges::none_of(plan.programs[draw.program].stages, tessellates))
-        return 0;
+    // Of OpenGL ES, only the translator knows what its stages lack.
+    const bool complete = caps.tessellation && !caps.es;
+    if (complete || draw.program == none || ranges::none_of(plan.programs[draw.program].stages, tessellates)) return 0;
     const Index mesh = plan.draw_mesh[&draw - plan.scene.draws.data()];
     const auto of = [](Topology topology, int patch_vertices) {
         return topology == Topology::patches ? patch_vertices : static_cast<int>(runtime::facts_of(topology).least);

@@ -59,6 +59,111 @@ TEST_P(StageDetails, EachInvocationChoosesALevel) {
     EXPECT_EQ(half.count({191, 191, 191, 255}), 64 * 64 / 2);
 }
 
+// Vertices whose w differ, by what stands on the screen.
+TEST_P(StageDetails, NoPerspectiveIsLinearOnTheScreen) {
+    folder.write(
+        "v.vert",
+        "#version 400 compatibility\nstruct Pair { vec2 a; float b[2]; };\n"
+        "noperspective out vec2 plain; noperspective out mat2 turned; noperspective out vec2 list[2];\n"
+        "noperspective out Pair pair; noperspective out vec2 unread;\n"
+        "out Both { noperspective vec2 flatly; vec2 smoothly; } both;\nvoid main() {\n"
+        "    vec2 p = gl_Vertex.xy * .5 + .5; plain = unread = both.flatly = both.smoothly = p;\n"
+        "    turned = mat2(p, p.yx); list[0] = list[1] = p; pair = Pair(p, float[2](p.x, p.y));\n"
+        "    float w = 2. + gl_Vertex.x + .5 * gl_Vertex.y;\n    gl_Position = vec4(gl_Vertex.xyz * w, w);\n}\n");
+    write("v.frag",
+          "struct Pair { vec2 a; float b[2]; };\n"
+          "noperspective in vec2 plain; noperspective in mat2 turned; noperspective in vec2 list[2];\n"
+          "noperspective in Pair pair; in Both { noperspective vec2 flatly; vec2 smoothly; } both;\n"
+          "bool fits(vec2 a) { return distance(a, gl_FragCoord.xy / 64.) < .001; }\nvoid main() {\n"
+          "    bool all = fits(plain) && fits(turned[0]) && fits(turned[1].yx) && fits(list[1]) && fits(pair.a);\n"
+          "    all = all && fits(vec2(pair.b[0], pair.b[1])) && fits(both.flatly);\n"
+          "    gl_FragColor = vec4(all, fits(both.smoothly), 0., 1.);\n}\n");
+    const Picture alone = draw("Vertex v.vert\nFragment v.frag\nProgram P\nQuadXY 0. 1.\n");
+    EXPECT_GT(alone.count({255, 0, 0, 255}), 64 * 64 - 300) << "the rest is near a corner";
+    EXPECT_EQ(alone.count({255, 0, 0, 255}) + alone.count({255, 255, 0, 255}), 64 * 64);
+
+    write("s.geom",
+          "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out; noperspective out vec2 place;\n"
+          "void main() {\n    for (int i = 0; i < 3; ++i) {\n        vec2 p = gl_in[i].gl_Position.xy; place = p * .5 "
+          "+ .5;\n"
+          "        gl_Position = vec4(gl_in[i].gl_Position.xyz, 1.) * (2. + p.x); EmitVertex();\n    }\n}\n");
+    write("s.tcs",
+          "layout(vertices = 3) out;\nvoid main() {\n"
+          "    gl_out[gl_InvocationID].gl_Position = gl_in[gl_InvocationID].gl_Position;\n"
+          "    gl_TessLevelOuter = float[4](2., 2., 2., 2.); gl_TessLevelInner[0] = 2.;\n}\n");
+    write("s.tes",
+          "layout(triangles) in; noperspective out vec2 place;\nvoid main() { vec4 p = mat3x4(gl_in[0].gl_Position, "
+          "gl_in[1].gl_Position, gl_in[2].gl_Position) * gl_TessCoord; place = p.xy * .5 + .5; gl_Position = p * (2. + "
+          "p.x); }\n");
+    write("s.frag",
+          "noperspective in vec2 place;\nvoid main() { gl_FragColor = vec4(distance(place, gl_FragCoord.xy / 64.) < "
+          ".001, 0., 0., 1.); }\n");
+    const Picture emitted = picture("Vertex s.vert\nGeometry s.geom\nFragment s.frag\nProgram P\nQuadXY 0. 1. 3 3\n");
+    EXPECT_EQ(emitted.count({255, 0, 0, 255}), 64 * 64);
+    const Picture divided =
+        picture("Vertex s.vert\nTessControl s.tcs\nTessEvaluation s.tes\nFragment s.frag\nProgram P\n" +
+                std::string(two_patches));
+    EXPECT_EQ(divided.count({255, 0, 0, 255}), 64 * 64 / 2);
+}
+
+// OpenGL ES 3.2 has no sizes of points behind these stages, and no patches without a control shader.
+TEST_P(StageDetails, PointsHaveTheirSize) {
+    const std::string points = "PointSize 8\nglBegin gl_points\nglVertex -.5 0 0\nglVertex .5 0 0\nglEnd\n";
+    write("s.geom",
+          "layout(points) in; layout(points, max_vertices = 1) out;\n"
+          "void main() { gl_Position = gl_in[0].gl_Position; EmitVertex(); }\n");
+    write("own.geom",
+          "layout(points) in; layout(points, max_vertices = 1) out;\nvoid main() { gl_Position = "
+          "gl_in[0].gl_Position; gl_PointSize = 6. + 2. * gl_Position.x; EmitVertex(); }\n");
+    write("s.frag", "void main() { gl_FragColor = vec4(1., 0., 0., 1.); }\n");
+    const std::string program = "Vertex s.vert\nFragment s.frag\nGeometry ";
+    EXPECT_EQ(picture(program + "s.geom\nProgram P\n" + points).count({255, 0, 0, 255}), 2 * 64);
+    EXPECT_EQ(picture(program + "own.geom\nPointSizeMode 1\nProgram P\n" + points).count({255, 0, 0, 255}),
+              5 * 5 + 7 * 7);
+    write("s.tes",
+          "layout(isolines, point_mode) in;\n"
+          "void main() { gl_Position = mix(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_TessCoord.x); }\n");
+    const Picture two = picture(
+        "Vertex s.vert\nTessEvaluation s.tes\nFragment s.frag\nPointSize 8\nProgram P\nNumPatchVertices 2\n"
+        "glBegin gl_patches\nglVertex -.5 0 0\nglVertex .5 0 0\nglEnd\n");
+    EXPECT_EQ(two.count({255, 0, 0, 255}), 2 * 64);
+}
+
+// Which OpenGL ES does not pass itself.
+TEST_P(StageDetails, StructuresOfArraysPass) {
+    const std::string pair = "struct Inner { float c; uint d; }; struct Pair { int n; float b[2]; Inner inner; };\n";
+    write("v.vert", pair +
+                        "flat out Pair whole; out Both { flat Pair part; } both;\nvoid main() {\n"
+                        "    whole = Pair(-7, float[2](.25, -.5), Inner(.75, 9u)); both.part = whole;\n"
+                        "    gl_Position = gl_Vertex;\n}\n");
+    write("v.geom", "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n" + pair +
+                        "flat in Pair whole[]; in Both { flat Pair part; } both[]; flat out Pair emitted;\n"
+                        "void main() {\n    for (int i = 0; i < 3; ++i) {\n        emitted = whole[i];\n"
+                        "        gl_Position = gl_in[i].gl_Position; EmitVertex();\n    }\n}\n");
+    const std::string is = "bool is(Pair p) { return p == Pair(-7, float[2](.25, -.5), Inner(.75, 9u)); }\n";
+    write("v.frag", pair + is +
+                        "flat in Pair whole; in Both { flat Pair part; } both;\n"
+                        "void main() { gl_FragColor = vec4(is(whole) && is(both.part), 0., 0., 1.); }\n");
+    write("g.frag", pair + is +
+                        "flat in Pair emitted;\n"
+                        "void main() { gl_FragColor = vec4(is(emitted), 0., 0., 1.); }\n");
+    const Picture direct = draw("Vertex v.vert\nFragment v.frag\nProgram P\nQuadXY 0. 1.\n");
+    EXPECT_EQ(direct.count({255, 0, 0, 255}), 64 * 64);
+    const Picture emitted = picture("Vertex v.vert\nGeometry v.geom\nFragment g.frag\nProgram P\nQuadXY 0. 1.\n");
+    EXPECT_EQ(emitted.count({255, 0, 0, 255}), 64 * 64);
+}
+
+// What there is without layers and streams.
+TEST_P(StageDetails, TheFirstLayerAndStreamAreOrdinary) {
+    write("s.geom",
+          "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\nvoid main() {\n    gl_Layer = 0;\n"
+          "    for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position; EmitStreamVertex(0); }\n"
+          "    EndStreamPrimitive(0);\n}\n");
+    write("s.frag", "void main() { gl_FragColor = vec4(1., 0., 0., 1.); }\n");
+    const Picture all = picture("Vertex s.vert\nGeometry s.geom\nFragment s.frag\nProgram P\nQuadXY 0. 1.\n");
+    EXPECT_EQ(all.count({255, 0, 0, 255}), 64 * 64);
+}
+
 TEST_P(StageDetails, FragmentsHaveTheNumberOfTheirPatch) {
     write("s.tcs",
           "layout(vertices = 3) out;\nvoid main() {\n"

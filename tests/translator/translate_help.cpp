@@ -125,6 +125,8 @@ void expect_valid(const Texts& texts, const std::vector<Target>& targets) {
         const Translated first = translated(texts, target);
         EXPECT_TRUE(first.translation.ok);
         expect_accepted(first.translation, texts.size() > 1 && &target == &targets.front());
+        // What stands for stages that the target lacks has attributes of its own.
+        if (first.translation.geometry || first.translation.tessellation) continue;
         Texts again;
         for (const StageOutput& s : first.translation.stages) again.emplace_back(s.stage, s.text);
         const Translated second = translated(again, target);

@@ -22,7 +22,7 @@ void declare(const Program& program, Unit& u, const Block& b, int first, int las
     int type = first;
     for (; type < last; ++type) {
         const std::string_view t = u.at(type).text;
-        if (t == "flat" || t == "smooth")
+        if (t == "flat" || t == "smooth" || t == "noperspective")
             interpolation = t;
         else if (t == "centroid")
             auxiliary = t;
@@ -74,7 +74,8 @@ std::string variable_of(const Program& program, std::string_view block, std::str
 
 // Where a geometry stage is emulated, its form sees to the blocks.
 bool flattens_blocks(const Program& program) {
-    return program.target().es && program.target().version < 320 && program.units.size() == 2;
+    return program.target().es && program.units.size() == 2 &&
+           (program.target().version < 320 || (!program.options.wide_lines && passes_numbers(program)));
 }
 
 void flatten_blocks(Program& program) {

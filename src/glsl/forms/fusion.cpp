@@ -118,11 +118,17 @@ std::string instance_of(const Unit& u, const Block& b) {
 constexpr std::string_view refused_names[] = {"gl_Layer",        "gl_ViewportIndex", "gl_ClipDistance",
                                               "gl_CullDistance", "EmitStreamVertex", "EndStreamPrimitive"};
 
+// The first layer, viewport or stream is what there is without them: `gl_Layer = 0`, `EmitStreamVertex(0)`.
+bool is_first(const Unit& u, int i) {
+    return (u.at(i + 1).text == "=" || u.at(i + 1).text == "(") && u.at(i + 2).text == "0" &&
+           (u.at(i + 3).text == ";" || u.at(i + 3).text == ")");
+}
+
 // At its place in the author's text.
 bool refuses(const Program& program) {
     for (const Unit& u : program.units)
         for (int i = 0; i < static_cast<int>(u.tokens.size()) && u.stage != Stage::fragment; ++i)
-            if (ranges::find(refused_names, u.at(i).text) != std::end(refused_names)) {
+            if (ranges::find(refused_names, u.at(i).text) != std::end(refused_names) && !is_first(u, i)) {
                 program.diagnostics.error(
                     "unsupported-stage", u.span(i),
                     "'" + std::string(u.at(i).text) + "' needs geometry shaders, which this OpenGL does not have",
@@ -422,6 +428,19 @@ bool Fusion::add_numbers(const Unit& u, Type type, const std::string& from, cons
         }
     }
     return true;
+}
+
+std::vector<Unit>& Fusion::take_both() {
+    std::vector<Unit>& units = quiet_program_.units;
+    units.clear();
+    units.reserve(out_.stages.size());  // texts may be in the units themselves
+    for (const StageOutput& each : out_.stages) units.push_back(read_again(each, false));
+    return units;
+}
+
+void Fusion::put_both() {
+    for (std::size_t i = 0; i < out_.stages.size(); ++i)
+        out_.stages[i].text = emit(quiet_program_, quiet_program_.units[i]);
 }
 
 bool Fusion::take_number(Unit& fragment) {

@@ -68,6 +68,10 @@ protected:
     // Fails where the second stage reads what the first one does not give.
     void take_inputs();
 
+    // The two stages that are left, read once more; and as they are then.
+    std::vector<Unit>& take_both();
+    void put_both();
+
     // Statements that give variables at global scope what they begin with.
     static std::string resets(const Unit& u, const std::string& indent);
 

@@ -90,6 +90,7 @@ private:
             if (t == "gl_PrimitiveIDIn") u.replace(i, "snell_primitive");
             if (t == "gl_InvocationID") u.replace(i, "snell_invocation");
             if (t == "gl_PrimitiveID") u.replace(i, "snell_primitive_out");
+            if (t == "gl_Layer" || t == "gl_ViewportIndex") u.erase(i, i + 2);
             if (t == "EndPrimitive") u.replace(i, "snell_end");
             if (t != "EmitVertex") continue;
             u.replace(i, "snell_emit");

@@ -122,6 +122,7 @@ private:
         if (t == "gl_PatchVerticesIn") u.replace(i, number(corners_));
         if (t == "gl_TessLevelOuter") u.replace(i, "snell_outer");
         if (t == "gl_TessLevelInner") u.replace(i, "snell_inner");
+        if (t == "memoryBarrier") u.replace(i, "snell_memory");
         replace_limits(u, i);
     }
 
@@ -414,20 +415,15 @@ highp uvec4 snell_texel(int n) { return texelFetch(snell_StagePatches, ivec2(n &
 
     // As in a program that never had other stages.
     void join_fragment() {
-        std::vector<Unit>& units = quiet_program_.units;
-        units.clear();
-        units.reserve(out_.stages.size());  // texts may be in the units themselves
-        for (const StageOutput& each : out_.stages) units.push_back(read_again(each, false));
+        std::vector<Unit>& units = take_both();
         flatten_blocks(quiet_program_);
         if (options_.target.es) give_point_size(units.front());
         if (take_number(units.back())) {
             units.front().header += "flat out highp int snell_PrimitiveID;\n";
             at_main_start(units.front(), "snell_PrimitiveID = int(snell_Domain.z);");
         }
-        for (std::size_t i = 0; i < units.size(); ++i) {
-            write_declarations(quiet_program_, units[i]);
-            out_.stages[i].text = emit(quiet_program_, units[i]);
-        }
+        for (Unit& u : units) write_declarations(quiet_program_, u);
+        put_both();
     }
 
     // ---- the text that transform feedback captures
@@ -435,7 +431,7 @@ highp uvec4 snell_texel(int n) { return texelFetch(snell_StagePatches, ivec2(n &
     std::string own() const {
         return filled(R"(snell_PerCorner snell_gl_out[@VERTICES];
 highp float snell_outer[4] = float[4](0.0, 0.0, 0.0, 0.0), snell_inner[2] = float[2](0.0, 0.0);
-void memoryBarrier() {}
+void snell_memory() {}
 )",
                       {{"@VERTICES", number(vertices_)}});
     }

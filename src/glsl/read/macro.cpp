@@ -106,7 +106,7 @@ bool Macros::expand(const std::vector<MacroToken>& in, std::vector<MacroToken>& 
         const bool called = macro && macro->function && i + 1 < in.size() && in[i + 1].text == "(";
         const auto arguments = called ? read_arguments(in, i + 1) : std::nullopt;
         if (!macro || (macro->function && !arguments)) {
-            uncalled_ = uncalled_ || macro;
+            uncalled_ = uncalled_ || (macro && !called);
             out.push_back(t);
             ++i;
             continue;

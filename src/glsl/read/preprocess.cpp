@@ -161,7 +161,8 @@ bool Preprocessor::invocation(const Lexeme& name) {
     if (macro->function) {
         const auto close = arguments_end(end);
         if (!close) {
-            macros_.note_uncalled();
+            const std::size_t next = skip_trivia(text_, end).end;
+            if (next >= text_.size() || text_[next] != '(') macros_.note_uncalled();
             return false;
         }
         end = *close;

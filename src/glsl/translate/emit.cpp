@@ -186,15 +186,17 @@ bool at_main_start(Unit& u, std::string_view statement, int declared) {
 
 namespace {
 
-constexpr std::string_view wrapper = "void main() { snell_main(); }\n", call = "snell_main();";
+// What main is called where a new one calls it. A text that was translated before has both.
+std::string_view inner_main(const Unit& u) {
+    return user_function(u, "snell_main") ? "snell_outer_main" : "snell_main";
+}
 
-// A new main calls the user's.
 bool wrap_main(Unit& u) {
     const Function* main = find_main(u);
     if (!main) return false;
     if (!u.trailer.empty()) return true;
-    u.replace(main->name_token, "snell_main");
-    u.trailer = wrapper;
+    u.replace(main->name_token, inner_main(u));
+    u.trailer = "void main() { " + std::string(inner_main(u)) + "(); }\n";
     return true;
 }
 
@@ -206,7 +208,7 @@ void at_main_end(Unit& u, std::string_view statement) {
 
 void declare_before_main(Unit& u, std::string_view declarations, std::string_view statements) {
     if (!wrap_main(u)) return;
-    u.trailer.insert(u.trailer.find(call), statements);
+    u.trailer.insert(u.trailer.find(std::string(inner_main(u)) + "();"), statements);
     u.trailer.insert(0, declarations);
 }
 

@@ -72,8 +72,7 @@ void adjust_interface(const Target& target, const Unit& u, Global& g) {
     const bool whole = g.type.integral() || (fragment_input && g.type.base == Base::dreal);
     if (whole && (fragment_input || (target.es && u.stage == Stage::vertex && output)))
         set(g, q.interpolation, "flat"sv);
-    if (vertex_input || color_output || (target.es && q.interpolation == "noperspective"))
-        set(g, q.interpolation, ""sv);
+    if (vertex_input || color_output) set(g, q.interpolation, ""sv);
 }
 
 // The texture units that a sampler's layout(binding) names become its default where the target has no bindings.

@@ -116,6 +116,11 @@ std::optional<std::string> widen_lines(Program& program);
 void emulate_stages(Program& program, Translation& translation);
 void emulate_tessellation(Program& program, Translation& translation);
 void emulate_geometry(Program& program, Translation& translation);
+// Stages hand on what OpenGL ES does not pass between them; as numbers, once only two stages are left.
+bool passes_numbers(const Program& program);
+void pass_numbers(Program& program, Translation& translation);
+// Stages of OpenGL ES 3.2 that lack, unless it has extensions, what the program wants of them.
+bool lacks_of_stages(Program& program);
 // OpenGL ES has no other point size than the one that shaders write.
 void give_point_size(Unit& vertex);
 // Asks Options::settle, after declared_uniforms.

@@ -81,6 +81,18 @@ void fit_inputs(Program& program, Unit& u) {
     }
 }
 
+// The first stream is the one that is drawn, and what OpenGL ES has.
+void first_stream(Unit& u) {
+    for (int i = 0; i + 3 < static_cast<int>(u.tokens.size()); ++i)
+        for (const auto& [name, plain] :
+             {std::pair("EmitStreamVertex", "EmitVertex"), std::pair("EndStreamPrimitive", "EndPrimitive")}) {
+            if (u.at(i).text != name || u.at(i + 1).text != "(" || u.at(i + 2).text != "0" || u.at(i + 3).text != ")")
+                continue;
+            u.replace(i, plain);
+            u.replace(i + 2, "");
+        }
+}
+
 }  // namespace
 
 std::string default_vertex_shader(Program& program) {
@@ -94,6 +106,19 @@ std::string default_vertex_shader(Program& program) {
 }
 
 std::string default_fragment_shader() { return "void main() {\n    gl_FragColor = gl_Color;\n}\n"; }
+
+bool lacks_of_stages(Program& program) {
+    const Unit *geometry = program.find(Stage::geometry), *evaluation = program.find(Stage::tess_evaluation);
+    if (!program.target().es || (!geometry && !evaluation)) return false;
+    if (evaluation && !program.find(Stage::tess_control)) return true;
+    if (passes_numbers(program)) return true;
+    const bool sized =
+        (geometry && mentions(*geometry, "gl_PointSize")) || (evaluation && mentions(*evaluation, "gl_PointSize"));
+    if (!geometry) return sized || layout_has(*evaluation, Storage::in, {"point_mode"});
+    const bool chosen = layout_has(*geometry, Storage::out, {"points", "line_strip", "triangle_strip"});
+    return sized ||
+           (chosen ? layout_has(*geometry, Storage::out, {"points"}) : output_primitive(program.options) == "points");
+}
 
 void complete_geometry(Program& program, Unit& u) {
     const bool has_input =
@@ -109,6 +134,7 @@ void complete_geometry(Program& program, Unit& u) {
         u.layouts.push_back(made);
     }
     fit_inputs(program, u);
+    first_stream(u);
     if (!has_output) u.header += "layout(" + output_primitive(program.options) + ") out;\n";
     if (!has_count) u.header += "layout(max_vertices = " + std::to_string(most_vertices(u)) + ") out;\n";
 }

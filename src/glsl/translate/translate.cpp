@@ -118,13 +118,15 @@ void refuse_late_features(const Program& program) {
 
 Translation translate(const std::vector<StageInput>& stages, Sources& sources, const Options& options,
                       Diagnostics& diagnostics) {
-    Program program{options, sources, diagnostics, {}, {}, {}, {}};
+    Options own = options;
+    Program program{own, sources, diagnostics, {}, {}, {}, {}};
     const std::size_t errors = diagnostics.errors();
     read_units(program, stages);
     refuse_late_features(program);
     add_missing_stages(program);
     rename_words(program);
     parse(program);
+    own.without_stages = own.without_stages || lacks_of_stages(program);
 
     const bool plain_depth = has_plain_depth(program);
     std::string placed = placed_by(program);
@@ -170,7 +172,8 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     out.renamed = std::move(program.renamed);
     out.declared = std::move(program.declared);
     out.settled = std::move(program.settled);
-    if (options.without_stages && diagnostics.errors() == errors) emulate_stages(program, out);
+    if (own.without_stages && diagnostics.errors() == errors) emulate_stages(program, out);
+    if (out.stages.size() == 2 && passes_numbers(program) && diagnostics.errors() == errors) pass_numbers(program, out);
     out.ok = diagnostics.errors() == errors;
     return out;
 }
