@@ -128,12 +128,14 @@ struct RenamedUniform {
 // that have no geometry stage (forms/geometry.cpp). `count` runs once for each primitive and invocation, and tells how
 // many vertices are emitted and where strips end. `capture` runs for every `vertices` of them, beginning at the one
 // that its attribute `snell_Slot` (location 0) names after the number of the invocation, and writes all that they
-// output.
+// output. `listed`: they output too much to be captured. There is no `capture`, and the vertex shader among the
+// program's stages runs both for each vertex that is drawn, whose number is that of the run times `most`, plus its own.
 struct EmulatedGeometry {
     StageOutput count, capture;
     std::vector<std::string> counted, captured;  // what transform feedback writes, interleaved
     std::string input, output;                   // primitives, as layouts name them
-    int invocations = 1;
+    int invocations = 1, most = 1;               // of each primitive; vertices that one of them may emit
+    bool listed = false;
     int vertices = 1;            // that one run of `capture` writes
     std::vector<bool> integral;  // of the slots of one vertex, four components each: whole numbers
 };

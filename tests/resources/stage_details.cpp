@@ -164,6 +164,41 @@ TEST_P(StageDetails, TheFirstLayerAndStreamAreOrdinary) {
     EXPECT_EQ(all.count({255, 0, 0, 255}), 64 * 64);
 }
 
+// More numbers than transform feedback captures of one vertex. The names are those of the other stages, too.
+TEST_P(StageDetails, OutputsThatNoBufferTakes) {
+    write("l.vert",
+          "out Pair { vec4 many[12]; } given; out vec3 shade; flat out int number;\nvoid main() {\n"
+          "    for (int i = 0; i < 12; ++i) given.many[i] = gl_Vertex * float(i);\n"
+          "    shade = gl_Vertex.xyz; number = gl_VertexID;\n    gl_Position = gl_Vertex;\n}\n");
+    for (const char* output : {"triangle_strip", "line_strip", "points"}) {
+        SCOPED_TRACE(output);
+        write(
+            "l.geom",
+            "layout(triangles, invocations = 2) in; layout(" + std::string(output) +
+                ", max_vertices = 7) out;\nin Pair { vec4 many[12]; } given[]; in vec3 shade[]; flat in int number[];\n"
+                "out Given { vec4 many[12]; noperspective vec2 there; } give; out vec3 shine; flat out ivec3 whole;\n"
+                "uniform float uSize;\nvoid corner(int i) {\n    int k = i % 3;\n"
+                "    for (int n = 0; n < 12; ++n) give.many[n] = given[k].many[n] + float(i);\n"
+                "    shine = shade[k] + float(gl_InvocationID) * .3; whole = ivec3(number[k], i, gl_PrimitiveIDIn);\n"
+                "    gl_Position = vec4(gl_in[k].gl_Position.xy * uSize + vec2(i, -i) * .05, 0., 1.);\n"
+                "    gl_Position *= 1.5 + gl_Position.x * .5; give.there = gl_Position.xy; gl_PrimitiveID = i;\n" +
+                (std::string(output) == "points" ? "    gl_PointSize = 5.;\n" : "") +
+                "    EmitVertex();\n}\nvoid main() {\n    for (int i = 0; i < 4 + gl_PrimitiveIDIn % 4; ++i) {\n"
+                "        corner(i); if (i == 3) EndPrimitive();\n    }\n}\n");
+        write(
+            "l.frag",
+            "in Given { vec4 many[12]; noperspective vec2 there; } take; in vec3 shine; flat in ivec3 whole;\n"
+            "void main() {\n    vec3 c = shine + take.there.xyy + vec3(whole % 5) * .2 + float(gl_PrimitiveID) * .1;\n"
+            "    for (int i = 0; i < 12; ++i) c += take.many[i].xyz * .1;\n"
+            "    gl_FragColor = vec4(fract(c) * (gl_FrontFacing ? 1. : .5), 1.);\n}\n");
+        const Picture drawn = picture(
+            "Ortho -1 1 -1 1\nVertex l.vert\nGeometry l.geom\nFragment l.frag\nPointSizeMode 1\n"
+            "Program P uSize .8\nQuadXY 0. 1. 3 3\n");
+        EXPECT_LT(drawn.count({18, 27, 33, 255}), 64 * 64 - 100);
+        EXPECT_LT(drawn.count({0, 0, 0, 0}), 64 * 64 - 100);
+    }
+}
+
 TEST_P(StageDetails, FragmentsHaveTheNumberOfTheirPatch) {
     write("s.tcs",
           "layout(vertices = 3) out;\nvoid main() {\n"

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "parser/text/ranges.h"
+#include "src/app/window/session.h"
 #include "src/runtime/resources/stages.h"
 #include "tests/resources/without_stages.h"
 
@@ -189,6 +190,34 @@ TEST_F(Stages, MuchThatTheyEmitIsSaid) {
     EXPECT_TRUE(said("uCount=64").empty());
     document->controls.rungs = {document->runtime->rungs()[0] == 0 ? 1U : 0U};
     EXPECT_EQ(said("uCount=64").items().size(), 1U);
+}
+
+// The window has it among its problems until the scene is read again.
+TEST_F(Stages, MuchThatTheyEmitIsAProblemOfTheWindow) {
+    folder.write(
+        "s.geom",
+        "#version 400 compatibility\nlayout(points) in; layout(points, max_vertices = 128) out;\nvoid main() {\n"
+        "    for (int i = 0; i < 128; ++i) { gl_Position = vec4(2.); EmitVertex(); }\n}\n");
+    folder.write("s.frag", "void main() { gl_FragColor = vec4(1.); }\n");
+    std::string scene = "Geometry s.geom\nFragment s.frag\nProgram P\nglBegin gl_points\n";
+    for (int i = 0; i < 2500; ++i) scene += "glVertex 0 0 0\n";
+    folder.write("scene.glib", scene + "glEnd\n");
+    gl::leave_stages(caps);
+    Session session(folder.path("scene.glib"), caps);
+    const auto draw_twice = [&] {
+        for (int i = 0; i < 2; ++i) {
+            draw(*session.document());
+            session.drawn_well();
+        }
+        return session.problems_text();
+    };
+    EXPECT_TRUE(session.problems().empty()) << session.problems_text();
+    for (int reading = 0; reading < 2; ++reading) {
+        const std::string text = draw_twice();
+        EXPECT_EQ(session.problems().size(), 1U) << text;
+        EXPECT_NE(text.find("scene.glib:3:1: warning: without geometry shaders"), std::string::npos) << text;
+        session.reload();
+    }
 }
 
 // Each draw of one program has counts of its own, and so has each part of a mesh.

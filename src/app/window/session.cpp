@@ -129,6 +129,12 @@ void Session::tell(const Diagnostic& diagnostic, const Sources& sources) {
     if (std::filesystem::is_regular_file(name, error)) problem.place = {name, finding.at->line, finding.at->column};
 }
 
+void Session::drawn_well() {
+    drawn_well_ = true;
+    const Diagnostics costs = shown_->runtime->take_costs();
+    for (const Diagnostic& cost : costs.items()) tell(cost, shown_->sources);
+}
+
 void Session::take(std::unique_ptr<Document> read) {
     problems_.clear();
     printed_.clear();

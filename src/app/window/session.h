@@ -29,8 +29,9 @@ public:
     Session(std::string path, gl::Caps caps, Access access = {}, FirstRungs first = nullptr, Watcher progress = nullptr,
             const Recovery* recovery = nullptr, Remembered memory = {});
 
-    // Tells that the shown document was drawn without problems, with its current values.
-    void drawn_well() { drawn_well_ = true; }
+    // Tells that the shown document was drawn without problems, with its current values. What the picture was found to
+    // cost becomes a problem.
+    void drawn_well();
     // Returns the last state that was drawn without problems, for use after the loss of the context. The session then
     // shows nothing any more.
     std::shared_ptr<const Kept> salvage();

@@ -78,6 +78,10 @@ protected:
     // Adds a number for each component of the variable; false if there is no way.
     static bool add_numbers(const Unit& u, Type type, const std::string& from, const std::string& to,
                             std::vector<Number>& numbers);
+    // An input of the fragment stage becomes a variable that gets its numbers at the start of main. Returns statements
+    // for the end of the stage before, which give them from `from`; `declared` is what they are passed in. Empty if
+    // there is no way.
+    static std::string pass_as_numbers(Unit& fragment, Global& input, const std::string& from, std::string& declared);
     static std::string own_type_name(const Unit& u, const Type& type);
 
     // The number of the primitive becomes a variable that the stage before gives; false if the fragment stage does not

@@ -37,13 +37,19 @@ public:
         if (!ok_ || !pack()) return;
         write_both();
         form_.count = {Stage::vertex, count_text(), files_, {}, written_in_};
-        form_.capture = {Stage::vertex, capture_text(), files_, {}, written_in_};
         StageOutput* const fragment = stage(Stage::fragment);
         fragment->text = emit(quiet_program_, fragment_);
-        StageOutput passing{Stage::vertex, passing_text(), {}};
+        StageOutput drawn{Stage::vertex, {}, files_, {}, written_in_};
+        if (form_.listed) {
+            drawn.text = drawing_text(*fragment);
+        } else {
+            form_.capture = {Stage::vertex, capture_text(), files_, {}, written_in_};
+            drawn = {Stage::vertex, passing_text(), {}};
+            drawn.files = {program_.sources.add("<built-in vertex shader>", drawn.text)};
+        }
+        if (!ok_) return;
         std::erase_if(out_.stages, [](const StageOutput& s) { return s.stage != Stage::fragment; });
-        passing.files = {program_.sources.add("<built-in vertex shader>", passing.text)};
-        out_.stages.insert(out_.stages.begin(), std::move(passing));
+        out_.stages.insert(out_.stages.begin(), std::move(drawn));
         out_.geometry = std::move(form_);
     }
 
@@ -169,9 +175,8 @@ private:
             for (; at % 4 != 0; ++at) slots_.back() += integral ? ", 0u" : ", 0.0";
         }
         const int slots = static_cast<int>(slots_.size());
-        if (slots > most_slots)
-            fail("the geometry shader hands on " + number(slots * 4) +
-                 " numbers for each vertex; without geometry shaders this OpenGL takes " + number(most_slots * 4));
+        form_.listed = slots > most_slots;
+        form_.most = std::max(most_, 1);
         form_.vertices = std::clamp(most_slots / std::max(slots, 1), 1, std::max(most_, 1));
         return ok_;
     }
@@ -279,14 +284,51 @@ void main() {
         for (std::size_t s = 0; s < slots_.size(); ++s)
             text += "layout(location = " + std::to_string(s) + ") in " + (form_.integral[s] ? "uvec4" : "vec4") +
                     " snell_A" + std::to_string(s) + ";\n";
-        std::string size;
-        const bool points = form_.output == "points";
-        if (options_.target.es && points) {  // as give_point_size
-            text += sized_ ? "uniform float snell_FixedPointSize;\n" : "uniform float snell_PointSize;\n";
-            size = sized_ ? "    if (snell_FixedPointSize > 0.0) gl_PointSize = snell_FixedPointSize;\n"
-                          : "    gl_PointSize = snell_PointSize;\n";
+        const auto [declared, size] = point_size();
+        return text + declared + structs_ + outputs_ + "void main() {\n" + hand_on_ + size + "}\n";
+    }
+
+    // As give_point_size: the declaration and the statement.
+    std::pair<std::string, std::string> point_size() const {
+        if (!options_.target.es || form_.output != "points") return {};
+        if (!sized_) return {"uniform float snell_PointSize;\n", "    gl_PointSize = snell_PointSize;\n"};
+        return {"uniform float snell_FixedPointSize;\n",
+                "    if (snell_FixedPointSize > 0.0) gl_PointSize = snell_FixedPointSize;\n"};
+    }
+
+    // What the fragment stage reads has other names in it than in the stages that are run here.
+    std::string drawing_text(StageOutput& fragment) {
+        Unit u = read_again(fragment, false);
+        std::string declared = "int snell_wanted = 0;\n", give = "        gl_Position = snell_position;\n";
+        for (const Passed& passed : passed_) {
+            const auto input = ranges::find(u.globals, passed.to, &Global::name);
+            if (passed.to == "gl_PointSize") give += "        gl_PointSize = snell_size;\n";
+            if (input != u.globals.end()) give += "        " + pass_as_numbers(u, *input, passed.from, declared) + "\n";
         }
-        return text + structs_ + outputs_ + "void main() {\n" + hand_on_ + size + "}\n";
+        write_declarations(quiet_program_, u);
+        fragment.text = emit(quiet_program_, u);
+        const auto [size, sets] = point_size();
+        // What is not emitted lies off the screen.
+        return beginning(own) + filled(R"(@DECLARED
+bool snell_emit() {
+    if (snell_emitted == snell_wanted) {
+@GIVE    }
+    return snell_emitted++ >= snell_wanted;
+}
+void snell_end() {}
+@STAGES
+void main() {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    gl_PointSize = 1.0;
+    snell_wanted = gl_VertexID % @MOST;
+    snell_run(gl_VertexID / @MOST);
+@SETS}
+)",
+                                       {{"@DECLARED", declared + size},
+                                        {"@GIVE", give},
+                                        {"@STAGES", stages()},
+                                        {"@MOST", number(form_.most)},
+                                        {"@SETS", sets}});
     }
 
     Unit fragment_;

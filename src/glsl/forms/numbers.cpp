@@ -1,6 +1,8 @@
 // What OpenGL ES does not pass between the vertex and the fragment shader is passed as numbers, four to a vector:
 // structures that contain arrays or structures, and what is interpolated on the screen (`noperspective`). The latter is
 // multiplied by w, which the interpolation divides by, and then by 1 / w of the fragment's own place.
+#include <array>
+
 #include "parser/text/ranges.h"
 #include "src/glsl/forms/fusion.h"
 
@@ -46,40 +48,47 @@ public:
 private:
     static bool lacking(const Unit& u, const Global& g) { return !g.removed && (on_screen(g) || nested(u, g.type)); }
 
-    // Both become variables.
     void pass(Unit& vertex, Unit& fragment, Global& g, const std::vector<Port>& given) {
-        const std::string name(fragment.now(g.name_token)), slots = "snell_Pass_" + name;
-        const std::string_view location = g.qualifiers.layout_value("location");
-        const Port* const from = port_of(given, {name, {}, {}, std::string(location), g.type, false});
-        std::vector<Number> numbers;
-        if (!from || !add_numbers(fragment, g.type, from->name, name, numbers))
-            return fail("'" + name + "' is of a type that OpenGL ES does not hand on");
-        const bool flat = g.qualifiers.interpolation == "flat";
-        const std::string type = flat ? "uvec4 " : "vec4 ";
-        std::string give, take;
-        for (std::size_t n = 0; n < numbers.size(); ++n) {
-            const auto& [gives, takes, base] = numbers[n];
-            const std::string slot = slots + "[" + std::to_string(n / 4) + "]." + "xyzw"[n % 4];
-            const std::string by = on_screen(g) ? " * gl_Position.w" : "",
-                              back = on_screen(g) ? " * gl_FragCoord.w" : "";
-            const std::string bits = base == Base::real ? "floatBitsToUint(" : "uint(";
-            const std::string from_bits = base == Base::real      ? "uintBitsToFloat("
-                                          : base == Base::integer ? "int("
-                                                                  : "uint(";
-            give += slot + " = " + (flat ? bits + gives + ")" : gives + by) + "; ";
-            take += takes + " = " + (flat ? from_bits + slot + ")" : slot + back) + "; ";
-        }
-        const std::string size = slots + "[" + std::to_string((numbers.size() + 3) / 4) + "];\n";
-        const std::string how = flat ? "flat " : std::string(g.qualifiers.auxiliary) + " ";
-        vertex.header += how + "out highp " + type + size;
-        fragment.header += how + "in highp " + type + size;
+        const std::string name(g.name), location(g.qualifiers.layout_value("location"));
+        const Port* const from = port_of(given, {name, {}, {}, location, g.type, false});
+        std::string declared;
+        const std::string give = from ? pass_as_numbers(fragment, g, from->name, declared) : "";
+        if (give.empty()) return fail("'" + name + "' is of a type that OpenGL ES does not hand on");
+        vertex.header += declared;
         at_main_end(vertex, give);
-        at_main_start(fragment, take);
-        make_plain(fragment, g, 0);
     }
 };
 
 }  // namespace
+
+std::string Fusion::pass_as_numbers(Unit& fragment, Global& g, const std::string& from, std::string& declared) {
+    const std::string name(fragment.now(g.name_token)), slots = "snell_Pass_" + name;
+    std::vector<Number> numbers;
+    if (!add_numbers(fragment, g.type, from, name, numbers) || numbers.empty()) return {};
+    const bool flat = g.qualifiers.interpolation == "flat", screen = on_screen(g), one = numbers.size() <= 4;
+    std::string give, take;
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+        const auto& [gives, takes, base] = numbers[n];
+        const std::string component = numbers.size() > 1 ? std::string(".") + "xyzw"[n % 4] : "";
+        const std::string slot = slots + (one ? "" : "[" + std::to_string(n / 4) + "]") + component;
+        const std::string to_bits = base == Base::real ? "floatBitsToUint(" : "uint(";
+        const std::string from_bits = base == Base::real      ? "uintBitsToFloat("
+                                      : base == Base::integer ? "int("
+                                                              : "uint(";
+        give += slot + " = " + (flat ? to_bits + gives + ")" : gives + (screen ? " * gl_Position.w" : "")) + "; ";
+        take += takes + " = " + (flat ? from_bits + slot + ")" : slot + (screen ? " * gl_FragCoord.w" : "")) + "; ";
+    }
+    constexpr std::array reals{"float", "vec2", "vec3", "vec4"}, wholes{"uint", "uvec2", "uvec3", "uvec4"};
+    const std::size_t size = std::min<std::size_t>(numbers.size(), 4) - 1;
+    const std::string type = "highp " + std::string((flat ? wholes : reals)[size]) + " " + slots +
+                             (one ? "" : "[" + std::to_string((numbers.size() + 3) / 4) + "]") + ";\n";
+    const std::string how = flat ? "flat " : std::string(g.qualifiers.auxiliary) + " ";
+    declared += how + "out " + type;
+    fragment.header += how + "in " + type;
+    at_main_start(fragment, take);
+    make_plain(fragment, g, 0);
+    return give;
+}
 
 bool passes_numbers(const Program& program) {
     return program.target().es && ranges::any_of(program.units, [](const Unit& u) {

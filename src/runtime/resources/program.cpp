@@ -204,7 +204,7 @@ bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Tr
     if (const auto& form = translation.tessellation) stages.emplace_back(&form->control, &form->captured);
     if (const auto& form = translation.geometry) {
         stages.emplace_back(&form->count, &form->counted);
-        stages.emplace_back(&form->capture, &form->captured);
+        if (!form->listed) stages.emplace_back(&form->capture, &form->captured);
     }
     for (const auto& [stage, written] : stages) {
         std::string log;
@@ -229,6 +229,7 @@ bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Tr
     }
     linked.tessellation = translation.tessellation;
     linked.geometry = translation.geometry;
+    linked.stage_range = glGetUniformLocation(linked.program.get(), glsl::stage_range.data());
     join_parts(linked);
     return true;
 }

@@ -77,13 +77,14 @@ struct LinkedProgram {
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
     // Where vertex shaders stand for other stages: the programs whose outputs are captured. That of tessellation
-    // (patches.h) comes first, those that count and capture what is emitted (stages.h) come last. `active` and
+    // (patches.h) comes first, those that count and capture what is emitted (stages.h) come last; where nothing is
+    // captured, the program itself runs the stages. `active` and
     // `samplers` have theirs, too.
     std::optional<glsl::EmulatedTessellation> tessellation;
     std::optional<glsl::EmulatedGeometry> geometry;
     std::vector<std::unique_ptr<LinkedProgram>> parts;
     int stage_unit = 0;      // the first of GL's units that the mesh takes: three
-    GLint stage_range = -1;  // of a part: the location of glsl::stage_range
+    GLint stage_range = -1;  // the location of glsl::stage_range
 
     bool reads(glsl::System system) const;
     // Calls `each` for the parts and then for the program itself, in which everything is set that way.

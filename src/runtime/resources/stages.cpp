@@ -58,6 +58,12 @@ std::size_t bytes_of_run(const glsl::EmulatedGeometry& form) {
     return static_cast<std::size_t>(form.vertices) * form.integral.size() * 16;
 }
 
+LinkedProgram& counting_of(LinkedProgram& program) {
+    return program.geometry->listed ? *program.parts.back() : *program.parts.end()[-2];
+}
+// The one that runs the stages for what is drawn.
+LinkedProgram& running_of(LinkedProgram& program) { return program.geometry->listed ? program : *program.parts.back(); }
+
 GLenum list_mode(std::string_view output) {
     return output == "points" ? GL_POINTS : output == "line_strip" ? GL_LINES : GL_TRIANGLES;
 }
@@ -209,25 +215,27 @@ void StageDraw::draw(LinkedProgram& program, const StageMesh& mesh, std::size_t 
     const glsl::EmulatedGeometry& form = *program.geometry;
     const StageMesh::Part& of = mesh.parts[part];
     State& state = with.state;
-    LinkedProgram &counting = *program.parts.end()[-2], &capturing = *program.parts.back();
+    LinkedProgram &counting = counting_of(program), &running = running_of(program);
     if (parts_.size() < mesh.parts.size()) parts_.resize(mesh.parts.size());
     auto& slot = parts_[part];
     if (!slot) slot = std::make_unique<Emitted>();
     Emitted& emitted = *slot;
-    for (const LinkedProgram* each : {&counting, &capturing})
-        mesh.bind(*each, program.stage_unit, of, has_color, state);
+    for (const LinkedProgram* each : {&counting, &running}) mesh.bind(*each, program.stage_unit, of, has_color, state);
     state.color(color);
 
     std::vector<double> depends = what_decides(counting, color);
     depends.push_back(version);
     if (reads_textures(counting) || !emitted.array || emitted.depends != depends) {
-        count(emitted, program, of, with);
+        count(emitted, form, counting, of, with);
         emitted.depends = std::move(depends);
     }
     for (const Piece& piece : emitted.pieces) {
-        state.program(capturing.program.get());
-        state.vertex_array(emitted.slots_array.get());
-        capture(captured_.get(), static_cast<GLint>(piece.first_slot), static_cast<GLsizei>(piece.slots), with.samples);
+        if (!form.listed) {
+            state.program(running.program.get());
+            state.vertex_array(emitted.slots_array.get());
+            capture(captured_.get(), static_cast<GLint>(piece.first_slot), static_cast<GLsizei>(piece.slots),
+                    with.samples);
+        }
         state.program(program.program.get());
         state.vertex_array(emitted.array.get());
         glDrawElements(list_mode(form.output), static_cast<GLsizei>(piece.elements), GL_UNSIGNED_INT,
@@ -237,13 +245,12 @@ void StageDraw::draw(LinkedProgram& program, const StageMesh& mesh, std::size_t 
     }
 }
 
-void StageDraw::count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of,
-                      const Capturing& with) {
-    const glsl::EmulatedGeometry& form = *program.geometry;
+void StageDraw::count(Emitted& emitted, const glsl::EmulatedGeometry& form, const LinkedProgram& counting,
+                      const StageMesh::Part& of, const Capturing& with) {
     const auto runs = static_cast<std::size_t>(of.count) * static_cast<std::size_t>(form.invocations);
     std::vector<std::uint32_t> counts(runs * form.counted.size());
     if (!none_) none_ = gl::VertexArray(gl::make(glGenVertexArrays));
-    with.state.program(program.parts.end()[-2]->program.get());
+    with.state.program(counting.program.get());
     with.state.vertex_array(none_.get());
     const std::size_t bytes = counts.size() * sizeof(std::uint32_t);
     if (bytes > 0) {
@@ -259,7 +266,7 @@ void StageDraw::count(Emitted& emitted, const LinkedProgram& program, const Stag
     list(emitted, form, counts, with.state);
 }
 
-// Lists the runs that capture what was counted, and joins the captured vertices to primitives.
+// Lists the runs that capture what was counted, and joins the emitted vertices to primitives.
 void StageDraw::list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::span<const std::uint32_t> counts,
                      State& state) {
     const std::size_t stride = form.counted.size();
@@ -274,8 +281,9 @@ void StageDraw::list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::
         if (emitted.pieces.empty() || slots.size() - emitted.pieces.back().first_slot >= most_slots)
             emitted.pieces.push_back({slots.size(), 0, elements.size(), 0});
         Piece& piece = emitted.pieces.back();
-        const auto first = static_cast<std::uint32_t>(slots.size() - piece.first_slot) * step;
-        for (std::uint32_t k = 0; k < of[0]; k += step)
+        const auto first = form.listed ? static_cast<std::uint32_t>(item) * static_cast<std::uint32_t>(form.most)
+                                       : static_cast<std::uint32_t>(slots.size() - piece.first_slot) * step;
+        for (std::uint32_t k = 0; k < of[0] && !form.listed; k += step)
             slots.push_back({static_cast<std::int32_t>(item), static_cast<std::int32_t>(k)});
         unsigned strip = 0;
         for (std::uint32_t k = 0; k < of[0]; ++k) {
@@ -300,7 +308,7 @@ void StageDraw::list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::
 
 // Makes room for so many runs.
 void StageDraw::arrange(Emitted& emitted, const glsl::EmulatedGeometry& form, std::size_t slots, State& state) {
-    const std::size_t vertex = form.integral.size() * 16, bytes = slots * bytes_of_run(form);
+    const std::size_t vertex = form.listed ? 0 : form.integral.size() * 16, bytes = slots * bytes_of_run(form);
     if (!captured_) captured_ = gl::Buffer(gl::make(glGenBuffers));
     glBindBuffer(GL_ARRAY_BUFFER, captured_.get());
     if (bytes > captured_bytes_) fill(GL_ARRAY_BUFFER, captured_bytes_ = bytes, nullptr);
@@ -310,7 +318,7 @@ void StageDraw::arrange(Emitted& emitted, const glsl::EmulatedGeometry& form, st
     for (gl::Buffer* buffer : {&emitted.slots, &emitted.elements}) *buffer = gl::Buffer(gl::make(glGenBuffers));
     state.vertex_array(emitted.array.get());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, emitted.elements.get());
-    for (GLuint at = 0; at < form.integral.size(); ++at) {
+    for (GLuint at = 0; at < vertex / 16; ++at) {
         const auto stride = static_cast<GLsizei>(vertex);
         const auto* offset = reinterpret_cast<const void*>(std::size_t{at} * 16);
         glEnableVertexAttribArray(at);

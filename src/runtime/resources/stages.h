@@ -70,7 +70,8 @@ private:
         gl::Buffer slots, elements;
         gl::VertexArray slots_array, array;
     };
-    void count(Emitted& emitted, const LinkedProgram& program, const StageMesh::Part& of, const Capturing& with);
+    void count(Emitted& emitted, const glsl::EmulatedGeometry& form, const LinkedProgram& counting,
+               const StageMesh::Part& of, const Capturing& with);
     void list(Emitted& emitted, const glsl::EmulatedGeometry& form, std::span<const std::uint32_t> counts,
               State& state);
     void arrange(Emitted& emitted, const glsl::EmulatedGeometry& form, std::size_t slots, State& state);
