@@ -166,6 +166,29 @@ TEST_F(Stages, CountOnceForWhatTheCountsDependOn) {
     EXPECT_EQ(reads, (std::vector<std::uint64_t>{1, 0, 1, 0, 0, 1}));
 }
 
+// What other scenes cost does not depend on whether the stages are there: each counter is the same.
+TEST_F(Stages, CostNothingInScenesWithoutThem) {
+    const gl::Caps whole = caps;
+    for (const char* scene : {"refraction-room/refraction-room", "light/glass/glass"}) {
+        SCOPED_TRACE(scene);
+        const auto counters = [&] {
+            const auto document = open_file(SNELL_ROOT "/scenes/" + std::string(scene) + ".glib");
+            for (const double time : {0., 1.}) draw(*document, {.time = time});
+            Counters counted = document->runtime->counters();
+            counted.specialise_us = 0;
+            return counted;
+        };
+        caps = whole;
+        const Counters native = counters();
+        caps.geometry = caps.tessellation = false;
+        const Counters without = counters();
+        for (const CounterName& counter : counter_names())
+            EXPECT_EQ(native.*counter.value, without.*counter.value) << counter.name;
+        EXPECT_GT(without.draws, 0U);
+        EXPECT_EQ(without.stage_reads + without.captured_primitives, 0U);
+    }
+}
+
 // Said once for the same rungs, at the statement.
 TEST_F(Stages, MuchThatTheyEmitIsSaid) {
     folder.write("s.geom",
