@@ -5,16 +5,17 @@ import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { before, test } from 'node:test';
 import { chromium, firefox, keepDownloads, pageOf, root, run, savedPicture, shows, tab, temporaryFolder } from './harness/browser.mjs';
+import { exceptions } from './harness/exceptions.mjs';
 import { colours, difference, pixelsOf } from './harness/png.mjs';
 
 const folder = temporaryFolder();
 const cases = ['Geometry', 'GeometryInput', 'GeometryOutput', 'LinesAdjacency', 'NumPatchVertices', 'ObjAdj', 'ObjPatch', 'TessControl', 'TessEvaluation'];
-const scenes = [...cases.map((name) => `tests/cases/${name}.glib`), 'docs/teaching/06-geometry/solution/round.glib', writeMany()];
+const scenes = [...cases.map((name) => `tests/cases/${name}.glib`), 'docs/teaching/06-geometry/solution/round.glib', ...written()];
 const nameOf = (scene) => basename(scene, '.glib');
 const side = 100;
 
-// More numbers for each vertex than transform feedback takes, and no perspective.
-function writeMany() {
+// More numbers for each vertex than transform feedback takes, and no perspective; lines that are thin everywhere.
+function written() {
     const shaders = {
         'many.vert': 'void main() { gl_Position = gl_Vertex; }\n',
         'many.geom':
@@ -26,9 +27,13 @@ function writeMany() {
             'void main() {\n    c = vec4(place * .3, 0., 1.);\n    for (int k = 0; k < 13; ++k) c.xyz += many[k].xyz * .01;\n    c.xyz = fract(c.xyz + vec3(whole % 5) * .2);\n}\n',
     };
     for (const [name, text] of Object.entries(shaders)) writeFileSync(join(folder, name), text);
-    const scene = join(folder, 'many.glib');
-    writeFileSync(scene, 'Vertex many.vert\nGeometry many.geom\nFragment many.frag\nProgram P\nQuadXY 0. .8 3 3\n');
-    return scene;
+    writeFileSync(join(folder, 'thin.geom'), shaders['many.geom'].replace('triangle_strip', 'line_strip').replaceAll('13', '11'));
+    writeFileSync(join(folder, 'thin.frag'), shaders['many.frag'].replaceAll('13', '11'));
+    return ['many', 'thin'].map((name) => {
+        const scene = join(folder, `${name}.glib`);
+        writeFileSync(scene, `Vertex many.vert\nGeometry ${name}.geom\nFragment ${name}.frag\nProgram P\nQuadXY 0. .8 3 3\n`);
+        return scene;
+    });
 }
 
 // Chromium draws by ANGLE's SwiftShader and Firefox by Mesa; where ANGLE is not installed, Mesa has edges elsewhere.
@@ -55,7 +60,7 @@ before(async () => {
 
 for (const [browser, start, driver] of browsers)
     test(`geometry and tessellation in ${browser}`, async (t) => {
-        const { page, said } = await tab(await start(), { width: 400, height: 300 });
+        const { page, said } = await tab(await start(), { width: 400, height: 300, still: false });
         await keepDownloads(page);
         for (const [scene, address] of pages)
             await t.test(nameOf(scene), async (t) => {
@@ -64,8 +69,9 @@ for (const [browser, start, driver] of browsers)
                 const found = difference(picture, pixelsOf(readFileSync(join(folder, driver, `${nameOf(scene)}.png`))));
                 const measured = `${(100 * found.share).toFixed(2)} % of the pixels differ, by at most ${found.largest} of 255, ${found.mean.toFixed(2)} on average`;
                 if (found.share > 0) t.diagnostic(measured);
-                assert.ok(colours(picture) > 3, 'something is drawn');
-                assert.ok(drivers[driver].alike(found), measured);
+                assert.ok(colours(picture) > 1, 'something is drawn');
+                if (exceptions[driver][nameOf(scene)]) assert.ok(!drivers[driver].alike(found), 'this exception is not needed');
+                else assert.ok(drivers[driver].alike(found), measured);
                 assert.deepEqual(said.splice(0), [], 'the console is silent');
             });
     });

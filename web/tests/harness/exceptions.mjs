@@ -10,5 +10,5 @@ const thin = 'lines of WebGL 2 are one pixel wide';
 // Pictures that differ, by the native driver, and why. One that is not needed fails.
 export const exceptions = {
     ANGLE: {},
-    Mesa: { LineWidth: thin, glEnd: thin },
+    Mesa: { LineWidth: thin, LinesAdjacency: thin, ObjAdj: thin, glEnd: thin },
 };
