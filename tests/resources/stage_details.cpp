@@ -199,6 +199,21 @@ TEST_P(StageDetails, OutputsThatNoBufferTakes) {
     }
 }
 
+// What is declared behind main gets its value before main is run, here as well.
+TEST_P(StageDetails, MainIsCalledByOthers) {
+    write("s.tes",
+          "layout(isolines, point_mode) in; noperspective out vec3 c; float late = gl_TessCoord.x; void set();\n"
+          "void main() { set(); gl_Position = mix(gl_in[0].gl_Position, gl_in[1].gl_Position, gl_TessCoord.x); }\n"
+          "out vec2 unset[2]; flat out int n;\nvoid set() { c = vec3(late, 0., 0.); if (late > 2.) n = 1; }\n");
+    write("s.frag",
+          "noperspective in vec3 c; in vec2 unset[2]; flat in int n;\n"
+          "void main() { gl_FragColor = vec4(c.x, float(n) + unset[1].x, 0., 1.); }\n");
+    const Picture two = picture(
+        "Vertex s.vert\nTessEvaluation s.tes\nFragment s.frag\nPointSize 8\nProgram P\nNumPatchVertices 2\n"
+        "glBegin gl_patches\nglVertex -.5 0 0\nglVertex .5 0 0\nglEnd\n");
+    EXPECT_EQ(two.count({255, 0, 0, 255}), 64);
+}
+
 TEST_P(StageDetails, FragmentsHaveTheNumberOfTheirPatch) {
     write("s.tcs",
           "layout(vertices = 3) out;\nvoid main() {\n"

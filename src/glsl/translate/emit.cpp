@@ -186,9 +186,11 @@ bool at_main_start(Unit& u, std::string_view statement, int declared) {
 
 namespace {
 
-// What main is called where a new one calls it. A text that was translated before has both.
-std::string_view inner_main(const Unit& u) {
-    return user_function(u, "snell_main") ? "snell_outer_main" : "snell_main";
+// What main is called where a new one calls it. A text that was translated before may have such functions.
+std::string inner_main(const Unit& u) {
+    std::string name = "snell_main";
+    for (int n = 2; user_function(u, name); ++n) name = "snell_main" + std::to_string(n);
+    return name;
 }
 
 bool wrap_main(Unit& u) {
@@ -196,7 +198,7 @@ bool wrap_main(Unit& u) {
     if (!main) return false;
     if (!u.trailer.empty()) return true;
     u.replace(main->name_token, inner_main(u));
-    u.trailer = "void main() { " + std::string(inner_main(u)) + "(); }\n";
+    u.trailer = "void main() { " + inner_main(u) + "(); }\n";
     return true;
 }
 
@@ -208,7 +210,7 @@ void at_main_end(Unit& u, std::string_view statement) {
 
 void declare_before_main(Unit& u, std::string_view declarations, std::string_view statements) {
     if (!wrap_main(u)) return;
-    u.trailer.insert(u.trailer.find(std::string(inner_main(u)) + "();"), statements);
+    u.trailer.insert(u.trailer.find(inner_main(u) + "();"), statements);
     u.trailer.insert(0, declarations);
 }
 
