@@ -91,7 +91,7 @@ void Runtime::Impl::find_costs() {
         if (sum.primitives <= runtime::most_captured || !costly.insert(program).second) continue;
         costs.warning("costly-stages", plan.scene.programs[program].span,
                       fmt::format("without geometry shaders, which this OpenGL lacks, the {} primitives that this "
-                                  "program emits are written to memory for each picture, {} MB",
+                                  "program emits take a detour through {} MB of memory in each picture",
                                   sum.primitives, sum.bytes / 1'000'000),
                       fmt::format("up to {} are drawn well: draw less, or emit less of it", runtime::most_captured));
     }

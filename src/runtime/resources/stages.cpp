@@ -241,7 +241,8 @@ void StageDraw::draw(LinkedProgram& program, const StageMesh& mesh, std::size_t 
         glDrawElements(list_mode(form.output), static_cast<GLsizei>(piece.elements), GL_UNSIGNED_INT,
                        reinterpret_cast<const void*>(piece.first_element * sizeof(std::uint32_t)));
         with.counters.captured_primitives += piece.elements / corners_of(form);
-        with.counters.captured_bytes += piece.slots * bytes_of_run(form);
+        with.counters.captured_bytes +=
+            form.listed ? piece.elements * sizeof(std::uint32_t) : piece.slots * bytes_of_run(form);
     }
 }
 
