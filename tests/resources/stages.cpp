@@ -74,31 +74,34 @@ private:
 
     std::string geometry(const std::string& input, int corners) {
         // llvmpipe writes beyond its memory where strips have less than a primitive (Mesa 22.3).
-        // Every OpenGL takes 1,024 numbers for each run: these vertices hand on eight variables of at most four.
-        const int invocations = 1 + below(3), most = 3 + below(below(4) == 0 ? 30 : 12);
+        // Every OpenGL takes 1,024 numbers for each run: these vertices hand on eight variables of at most four, or 48
+        // numbers more, which are too many to be captured.
+        const int invocations = 1 + below(3), most = 3 + below(many_ ? 9 : below(4) == 0 ? 30 : 12);
         static const std::string outputs[] = {"points", "line_strip", "triangle_strip"};
         const std::string& output = outputs[below(3)];
         const std::string of = block_ ? "given[k]." : "", at = block_ ? "" : "[k]";
-        std::string text = "#version 400 compatibility\nlayout(" + input + ", invocations = " + number(invocations) +
-                           ") in;\nlayout(" + output + ", max_vertices = " + number(most) + ") out;\n" +
-                           "uniform float uTwist;\n" +
-                           (block_ ? "in Pair { vec2 t; float w[2]; } given[];\n" : "in vec2 t[];\n") +
-                           "in vec3 shade[]; flat in int number[];\nout vec3 colour; flat out ivec2 whole;\n" +
-                           "struct Light { float b; };\nfloat x = .5;\nconst int count = " + number(1 + below(5)) +
-                           ";\n" + (block_ ? "out Given { vec4 part; mat2 turn; } give;\n" : "out vec2 rest[2];\n") +
-                           "float mixed(float a) { return a * .5 + x; }\n"
-                           "void corner(int i, int k) {\n    float a = float(i) * " +
-                           real(.5) +
-                           " + uTwist;\n"
-                           "    colour = mix(shade[k], vec3(mixed(" +
-                           of + "t" + at +
-                           ".x), fract(a), x), .5);\n"
-                           "    whole = ivec2(number[k], i);\n" +
-                           (block_ ? "    give.part = vec4(given[k].t, given[k].w[1], x);\n    give.turn = mat2(a);\n"
-                                   : "    rest[0] = t[k]; rest[1] = vec2(x, a);\n") +
-                           "    gl_Position = gl_in[k].gl_Position + vec4(cos(a), sin(a), 0, 0) * " + real(.1) + ";\n" +
-                           (!es_ && below(2) ? "    gl_PointSize = gl_in[k].gl_PointSize;\n" : "") +
-                           (number_ ? "    gl_PrimitiveID = gl_PrimitiveIDIn + i;\n" : "") + "    x += .01;\n";
+        std::string text =
+            "#version 400 compatibility\nlayout(" + input + ", invocations = " + number(invocations) +
+            ") in;\nlayout(" + output + ", max_vertices = " + number(most) + ") out;\n" + "uniform float uTwist;\n" +
+            (block_ ? "in Pair { vec2 t; float w[2]; } given[];\n" : "in vec2 t[];\n") +
+            "in vec3 shade[]; flat in int number[];\nout vec3 colour; flat out ivec2 whole;\n" +
+            (many_ ? "out vec4 more[12];\n" : "") +
+            "struct Light { float b; };\nfloat x = .5;\nconst int count = " + number(1 + below(5)) + ";\n" +
+            (block_ ? "out Given { vec4 part; mat2 turn; } give;\n" : "out vec2 rest[2];\n") +
+            "float mixed(float a) { return a * .5 + x; }\n"
+            "void corner(int i, int k) {\n    float a = float(i) * " +
+            real(.5) +
+            " + uTwist;\n"
+            "    colour = mix(shade[k], vec3(mixed(" +
+            of + "t" + at +
+            ".x), fract(a), x), .5);\n"
+            "    whole = ivec2(number[k], i);\n" +
+            (many_ ? "    for (int n = 0; n < 12; ++n) more[n] = vec4(shade[k], x) * float(n) * .1;\n" : "") +
+            (block_ ? "    give.part = vec4(given[k].t, given[k].w[1], x);\n    give.turn = mat2(a);\n"
+                    : "    rest[0] = t[k]; rest[1] = vec2(x, a);\n") +
+            "    gl_Position = gl_in[k].gl_Position + vec4(cos(a), sin(a), 0, 0) * " + real(.1) + ";\n" +
+            (!es_ && below(2) ? "    gl_PointSize = gl_in[k].gl_PointSize;\n" : "") +
+            (number_ ? "    gl_PrimitiveID = gl_PrimitiveIDIn + i;\n" : "") + "    x += .01;\n";
         const bool apart = below(2) == 0;
         text += apart ? "    EmitVertex();\n}\n" : "}\n";
         return text + "void main() {\n    int n = (gl_PrimitiveIDIn * 7 + gl_InvocationID * 3 + number[0]) % " +
@@ -114,7 +117,9 @@ private:
     std::string fragment() const {
         return std::string("#version 400 compatibility\nin vec3 colour; flat in ivec2 whole;\n") +
                (block_ ? "in Given { vec4 part; mat2 turn; } taken;\n" : "in vec2 rest[2];\n") +
+               (many_ ? "in vec4 more[12];\n" : "") +
                "void main() {\n    vec3 c = fract(colour + vec3(whole % 5, 0) * .2);\n    " +
+               (many_ ? "for (int n = 0; n < 12; ++n) c = fract(c + more[n].xyw);\n    " : "") +
                (block_ ? "c.z = fract(taken.part.x + taken.part.w * taken.turn[1][1]);\n"
                        : "c.z = fract(rest[0].x + rest[1].y);\n") +
                (number_ ? "    c.x = float(gl_PrimitiveID % 7) / 7.;\n" : "") +
@@ -124,6 +129,7 @@ private:
     std::mt19937 random_;
     bool es_;  // which has no sizes of points in geometry shaders
     bool block_ = below(2) == 0, colored_ = below(2) == 0, number_ = below(3) == 0;
+    bool many_ = below(8) == 0;
 };
 
 std::string geometry(unsigned seed, bool es, Folder& folder) { return RandomStages(seed, es).scene(folder); }
