@@ -71,7 +71,7 @@ app -Editor.SaysWhatWentWrong:Process.AProgramIsFoundAsAShell*
 ui
 accuracy -Front.TwoRunsThatAreDecidedAgree
 stability
-optics -IrradianceLadder.HasTheErrorsItPrints:MeshPath.*
+optics -MeshPath.*
 END
 }
 memcheck() {
