@@ -136,16 +136,9 @@ const Diagnostics& OpenScene::follow_rungs() {
 }
 
 std::unique_ptr<Document> OpenScene::compiled(const Plan& plan, const gl::Caps& caps, const Runtime* previous) const {
-    auto document = std::make_unique<Document>();
-    document->path = shown_->path;
-    document->files = std::make_unique<Files>(scene_folder(document->path), page_access(caps));
-    document->sources = shown_->sources;
     RuntimeOptions options;
     options.previous = previous;
-    document->runtime.emplace(plan, *document->files, document->sources, caps, document->diagnostics, options);
-    document->controls = document->runtime->controls();
-    carry_over(shown_->controls, plan_.scene, document->controls, plan_.scene);
-    return document;
+    return compile_document(shown_->path, plan, shown_->sources, shown_->controls, caps, page_access(caps), options);
 }
 
 void OpenScene::release() {
