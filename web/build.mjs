@@ -1,4 +1,4 @@
-// Makes the pages' templates. The engine comes from build/web/engine, or from $SNELL_ENGINE; "fake" draws without one.
+// Makes the pages' templates. The engine comes from build/web/engine, or from $SNELL_ENGINE.
 //   page.html     one page with everything; `snell web` fills in its data blocks
 //   snell.html    the same with the shipped scenes as examples, for scenes that are dropped on it
 //   gallery.html  the page without bundle and runtime, which runtime.js has for a whole folder of pages
@@ -14,16 +14,10 @@ import { examples } from './examples.mjs';
 const here = dirname(fileURLToPath(import.meta.url));
 const out = resolve(process.env.SNELL_WEB_OUT ?? join(here, '../build/web'));
 const engine = process.env.SNELL_ENGINE ?? join(here, '../build/web/engine');
-const fake = engine === 'fake';
-if (!fake && !existsSync(join(engine, 'snell.js'))) {
+if (!existsSync(join(engine, 'snell.js'))) {
     console.error(`${engine} has no snell.js: './dev web' builds it`);
     process.exit(1);
 }
-
-const standIn = {
-    name: 'stand-in',
-    setup: ({ onResolve }) => onResolve({ filter: /\/load_engine\.ts$/ }, () => ({ path: join(here, 'tests/fake_engine.ts') })),
-};
 
 async function bundled() {
     const { outputFiles } = await build({
@@ -38,8 +32,7 @@ async function bundled() {
         loader: { '.glib': 'text', '.vert': 'text', '.frag': 'text' },
         define: { 'import.meta.url': '"file:///snell.js"' },
         external: ['module', 'fs', 'path', 'url', 'node:*', 'worker_threads'],
-        alias: fake ? {} : { 'snell-engine': join(resolve(engine), 'snell.js') },
-        plugins: fake ? [standIn] : [],
+        alias: { 'snell-engine': join(resolve(engine), 'snell.js') },
         // The worker is started from the text of this function.
         banner: { js: '(function snellPage(){' },
         footer: { js: '})();' },
@@ -76,8 +69,7 @@ function filled(name, parts) {
 const page = (parts) => filled('page/page.html', parts);
 
 const [bundle, style] = await Promise.all([bundled(), styled()]);
-const empty = Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]); // the smallest program
-const program = fake ? empty : readFileSync(join(engine, 'snell.wasm'));
+const program = readFileSync(join(engine, 'snell.wasm'));
 const packed = gzipSync(program, { level: 9 }).toString('base64');
 const runtime = `<script type="text/plain" id="runtime">${packed}</script>`;
 const own = { head: '<link rel="icon" href="data:,">', style: `<style>${style}</style>` };

@@ -1,6 +1,7 @@
 // Costs from times: medians and their uncertainty, what is said of two of them, and which rungs are worth their time.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,14 @@ namespace snell::accuracy {
 
 // For an even number of values, the mean of the two in the middle; NaN for none.
 double median(std::span<const double> values);
+// The value that so much of all of them do not exceed; 0 for none. They are put in another order.
+template <class T>
+T quantile(std::vector<T>& values, double part) {
+    if (values.empty()) return 0;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + .5);
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
 // Median absolute deviation from the median, not scaled.
 double mad(std::span<const double> values);
 // Standard deviation divided by the mean; 0 for fewer than two values.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 namespace snell::content {
 
@@ -27,5 +28,18 @@ std::string module_path(const std::string& file);
 // Opens the module at its path. `library` is its name in errors. The module
 // stays open.
 LoadedModule load_module(const std::string& file, const std::string& library);
+
+// Opens it and finds its functions, by their names; `version` is what the function of the name `asked` must return.
+// Returns "" or why it cannot be used.
+template <class... Functions>
+std::string open_functions(const std::string& file, const std::string& library, const char* asked, int version,
+                           std::pair<const char*, Functions*>... functions) {
+    const LoadedModule module = load_module(file, library);
+    if (!module.error.empty()) return module.error;
+    int (*made_for)() = nullptr;
+    const bool fits = module.find(asked, made_for) && made_for() == version &&
+                      (module.find(functions.first, *functions.second) && ...);
+    return fits ? std::string() : module.path + " is from another version of snell";
+}
 
 }  // namespace snell::content

@@ -67,6 +67,32 @@ std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps&
     return document;
 }
 
+std::unique_ptr<Document> open_beside(const Document& scene, const gl::Caps& caps, const RungChooser& choose,
+                                      std::map<std::string, std::string> texts, std::string& error) {
+    RuntimeOptions options;
+    options.previous = &*scene.runtime;
+    auto document =
+        open_document(scene.path, caps, choose, nullptr, options, scene.files->access().with(std::move(texts)));
+    if (document->runtime && no_new_errors(scene.diagnostics, document->diagnostics)) return document;
+    const Diagnostic* const first = first_error(document->diagnostics);
+    error = first ? first->message : "it cannot be drawn";
+    return nullptr;
+}
+
+std::unique_ptr<Document> compile_document(const std::string& path, const Plan& plan, const Sources& sources,
+                                           const Controls& controls, const gl::Caps& caps, const Access& access,
+                                           const RuntimeOptions& options) {
+    auto document = std::make_unique<Document>();
+    document->path = path;
+    document->files = std::make_unique<Files>(scene_folder(path), access);
+    document->sources = sources;
+    document->runtime.emplace(plan, *document->files, document->sources, caps, document->diagnostics, options);
+    document->controls = document->runtime->controls();
+    document->diagnostics.append(document->runtime->value_problems());
+    carry_over(controls, plan.scene, document->controls, document->scene());
+    return document;
+}
+
 bool follow_rungs(Document& document) {
     Runtime& runtime = *document.runtime;
     if (!runtime.choose(document.controls.rungs)) return false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,6 +48,15 @@ using PlanReader = std::function<void(const Plan& plan, Document& document)>;
 std::unique_ptr<Document> open_document(const std::string& path, const gl::Caps& caps,
                                         const RungChooser& choose = nullptr, const PlanReader& planned = nullptr,
                                         const RuntimeOptions& options = {}, const Access& access = {});
+
+// Opens a scene that is open already with other texts and rungs, to be shown in its place or beside it; `texts` are
+// those of Access::with. Null, with an error, if it has errors that the open one does not have.
+std::unique_ptr<Document> open_beside(const Document& scene, const gl::Caps& caps, const RungChooser& choose,
+                                      std::map<std::string, std::string> texts, std::string& error);
+// Compiles what was read before once more, as for another context, with the values of `controls`.
+std::unique_ptr<Document> compile_document(const std::string& path, const Plan& plan, const Sources& sources,
+                                           const Controls& controls, const gl::Caps& caps, const Access& access,
+                                           const RuntimeOptions& options = {});
 
 // Compiles the programs for the rungs in `controls`, and makes the controls of the new programs, with the values that
 // they had. Returns true if the controls may have changed.

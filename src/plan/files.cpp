@@ -173,6 +173,13 @@ struct Finder {
 
 }  // namespace
 
+Access Access::with(std::map<std::string, std::string> texts) const {
+    Access access = *this;
+    if (instead) texts.insert(instead->begin(), instead->end());
+    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
+    return access;
+}
+
 Files::Files(std::string folder, Access access) : folder_(std::move(folder)), access_(std::move(access)) {
     if (!access_.confine) return;
     const auto add = [&](const std::string& root) {

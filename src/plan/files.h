@@ -44,6 +44,9 @@ struct Access {
     // Folders whose files are read too, although they are not within `confine`. A file that is found nowhere else is
     // found there by its name, in folders of any depth.
     std::vector<std::string> allow = {};
+
+    // The same with further texts, which go before those that are there.
+    Access with(std::map<std::string, std::string> texts) const;
 };
 
 // Finds and reads files. Thread-safe; it never creates or writes a file.

@@ -77,12 +77,10 @@ const Document* Documents::with_path(std::string_view path) const {
 }
 
 Access Documents::access() const {
-    auto texts = std::make_shared<std::map<std::string, std::string>>();
+    std::map<std::string, std::string> texts;
     for (const auto& [uri, document] : all_)
-        if (!document.lost) texts->insert_or_assign(real_path(document.path), document.text);
-    Access access;
-    access.instead = std::move(texts);
-    return access;
+        if (!document.lost) texts.insert_or_assign(real_path(document.path), document.text);
+    return Access().with(std::move(texts));
 }
 
 std::string real_path(const std::string& path) {

@@ -290,17 +290,14 @@ constexpr std::chrono::milliseconds most_trial_time{1500};  // for all fixes of 
 std::optional<Access> fixed(const Diagnostic& diagnostic, const Sources& sources, const Access& access) {
     std::map<FileId, std::vector<Edit>> by_file;
     for (const Fix& fix : diagnostic.fixes) by_file[fix.span.file].push_back(fix);
-    auto texts = std::make_shared<std::map<std::string, std::string>>();
-    if (access.instead) *texts = *access.instead;
+    std::map<std::string, std::string> texts;
     for (auto& [file, fixes] : by_file) {
         const std::string name(sources.name(file));
         if (name.empty() || name.starts_with('<')) return std::nullopt;
         ranges::stable_sort(fixes, {}, [](const Edit& fix) { return fix.span.begin; });
-        texts->insert_or_assign(real_path(name), with_edits(sources.text(file), file, fixes));
+        texts.insert_or_assign(real_path(name), with_edits(sources.text(file), file, fixes));
     }
-    Access with = access;
-    with.instead = std::move(texts);
-    return with;
+    return access.with(std::move(texts));
 }
 
 using Said = std::multiset<std::pair<std::string_view, std::string_view>>;

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
+#include "src/plan/values/numbers.h"
 #include "src/plan/view.h"
 #include "src/ui/help.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
-#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/frame_cost.h"

@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "parser/text/ranges.h"
-#include "src/ui/kit/numbers.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 

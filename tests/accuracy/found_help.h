@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "parser/read/parse.h"
-#include "src/accuracy/found/change.h"
+#include "src/accuracy/found/texts/texts.h"
 #include "tests/scratch.h"
 
 namespace snell::accuracy {
 
 inline constexpr std::string_view vertex = "void main() { gl_Position = ftransform(); }\n";
 
-using Finder = void (*)(const Plan&, Files&, Sources&, std::vector<Change>&);
+using Finder = void (*)(const texts::Reading&, std::vector<Change>&);
 
 // A scene as read, and the changes found in it.
 struct Found {

@@ -152,8 +152,8 @@ TEST_F(FoundOmissions, AtMostTwoHundred) {
     EXPECT_EQ(found(many).changes.size(), 200u);
 }
 
-void all_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    changes = find_changes(plan, files, sources);
+void all_changes(const texts::Reading& reading, std::vector<Change>& changes) {
+    changes = find_changes(reading.plan, reading.files, reading.sources);
 }
 
 TEST_F(FoundOmissions, AStatementIsLeftOutOnce) {

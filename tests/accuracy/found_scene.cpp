@@ -48,7 +48,7 @@ Found found_in(const std::string& path, Finder finder,
     Parsed parsed = parse(file, found.sources, include);
     found.diagnostics = std::move(parsed.diagnostics);
     found.plan = make_plan(std::move(parsed.scene), *found.files, found.sources, found.diagnostics);
-    if (finder) finder(found.plan, *found.files, found.sources, found.changes);
+    if (finder) finder({found.plan, *found.files, found.sources}, found.changes);
     return found;
 }
 
@@ -293,10 +293,9 @@ TEST(FoundSceneAll, ChangesAreTheSameASecondTime) {
         return lines;
     };
     for (const std::string& path : all_scenes()) {
-        Found found =
-            found_in(path, [](const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-                changes = find_changes(plan, files, sources);
-            });
+        Found found = found_in(path, [](const texts::Reading& reading, std::vector<Change>& changes) {
+            changes = find_changes(reading.plan, reading.files, reading.sources);
+        });
         const std::vector<Change> again = find_changes(found.plan, *found.files, found.sources);
         const std::vector<std::string> one = list(found, found.changes), other = list(found, again);
         EXPECT_EQ(one.size(), other.size()) << path;

@@ -1,10 +1,11 @@
 // Undo and redo, without a window.
-#include "src/app/window/history.h"
+#include "src/document/history.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "src/app/open/write_copy.h"
 #include "src/plan/objects.h"
 #include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
@@ -46,7 +47,7 @@ protected:
         return history_.follow(scene_, controls_, view_, {false, presses_, now_ += later});
     }
     UserState state() {
-        return {scene_, controls_, view_, [this] { ++followed_; }};
+        return {scene_, controls_, view_, [this] { ++followed_; }, {}, exchange_saved};
     }
     std::string undo() { return history_.undo(state()); }
     std::string redo() { return history_.redo(state()); }

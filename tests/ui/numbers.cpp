@@ -1,5 +1,5 @@
 // Numbers as they are shown, rounded, and typed.
-#include "src/ui/kit/numbers.h"
+#include "src/plan/values/numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/numbers.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {

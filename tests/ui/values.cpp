@@ -1,8 +1,8 @@
 // Values that are typed, stepped, filtered: fields, the keyboard's focus, and what a row shows.
 #include <cmath>
 
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/kit.h"
-#include "src/ui/kit/numbers.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {

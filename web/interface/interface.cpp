@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "src/content/image/image.h"
 #include "src/content/text_forms.h"
 #include "src/document/document.h"
+#include "src/document/history.h"
 #include "src/lint/lint.h"
 #include "src/plan/plan.h"
 #include "src/plan/setup.h"
 #include "src/plan/texts.h"
+#include "src/plan/values/numbers.h"
 #include "src/plan/view.h"
 #include "web/interface/drawing.h"
 #include "web/interface/text.h"
@@ -25,6 +28,9 @@ using namespace snell::web;
 struct Engine {
     OpenScene scene;
     Drawing drawing;
+    Sliders sliders;
+    History history;
+    std::uint64_t gestures = 0;
     std::string canvas;
     HoldMemory hold;
     std::string answer;            // of the last call that returned a text
@@ -35,6 +41,32 @@ struct Engine {
         if (!scene.document() || index < 0) return nullptr;
         std::vector<Control>& items = scene.document()->controls.items;
         return static_cast<std::size_t>(index) < items.size() ? &items[static_cast<std::size_t>(index)] : nullptr;
+    }
+    // Ends a gesture: what was changed since the last one is a step.
+    void follow() {
+        if (!draws()) return;
+        const Document& document = *scene.document();
+        history.follow(document.scene(), document.controls, scene.view, {false, ++gestures, 0, sliders.moving});
+    }
+    // The scene was read, another one if `fresh`.
+    void take(bool fresh) {
+        const Document& document = *scene.document();
+        if (fresh) {
+            sliders = {};
+            history = {};
+            history.begin(document.scene(), document.controls, scene.view);
+        } else {
+            history.reread(document.scene(), document.controls, scene.view);
+        }
+    }
+    // Sets a component to what `next` makes of its value.
+    template <typename Next>
+    void change(int index, int component, const Next& next) {
+        Control* const item = control(index);
+        if (!item || component < 0 || static_cast<std::size_t>(component) >= item->value.size()) return;
+        stop(sliders.moving, *item, static_cast<std::size_t>(component));
+        double& value = item->value[static_cast<std::size_t>(component)];
+        if (const std::optional<double> fits = fitting(next(*item, value), item->type)) value = *fits;
     }
     const char* say(std::string text) {
         answer = std::move(text);
@@ -49,6 +81,7 @@ Settings settings_of(const char* text) {
     if (!json.is_object()) return settings;
     settings.values = json.value("values", settings.values);
     settings.rungs = json.value("rungs", settings.rungs);
+    settings.ranges = json.value("ranges", settings.ranges);
     if (json.contains("view")) settings.view = json.value("view", std::string());
     settings.fresh = json.value("fresh", false);
     settings.lints = json.value("lints", true);
@@ -88,7 +121,7 @@ std::string characters(const std::string& bytes) {
 
 Json opened_json(Engine& engine, bool ok, const Diagnostics& found, const Sources& sources, double began) {
     Json json{{"ok", ok}, {"problems", problems_json(found, sources)}};
-    if (engine.draws()) json["shown"] = shown_json(*engine.scene.document());
+    if (engine.draws()) json["shown"] = shown_json(*engine.scene.document(), engine.sliders);
     json["milliseconds"] = emscripten_get_now() - began;
     return json;
 }
@@ -121,7 +154,11 @@ EMSCRIPTEN_KEEPALIVE const char* snell_open(Engine* engine, const char* scene, c
     const double began = emscripten_get_now();
     if (!engine->drawing.ready())
         return engine->tell(Json{{"ok", false}, {"problems", Json::array()}, {"milliseconds", 0}});
-    const Reading reading = engine->scene.open(scene, settings_of(settings), engine->drawing.caps());
+    const Settings given = settings_of(settings);
+    const std::string before = engine->scene.document() ? engine->scene.document()->path : std::string();
+    engine->follow();
+    const Reading reading = engine->scene.open(scene, given, engine->drawing.caps());
+    if (reading.shown) engine->take(given.fresh || before != scene);
     const Document& read = reading.shown ? *engine->scene.document() : *reading.refused;
     Diagnostics found = read.diagnostics;
     found.append(reading.settings);
@@ -133,41 +170,135 @@ EMSCRIPTEN_KEEPALIVE const char* snell_check(Engine* engine, const char* scene) 
     return engine->tell(problems_json(document.diagnostics, document.sources));
 }
 
-EMSCRIPTEN_KEEPALIVE void snell_set(Engine* engine, int index, int component, double value) {
-    Control* control = engine->control(index);
-    if (control && std::isfinite(value) && component >= 0 &&
-        static_cast<std::size_t>(component) < control->value.size())
-        control->value[static_cast<std::size_t>(component)] = value;
+// A value outside of the range widens it if `widens`, and else is moved into it.
+EMSCRIPTEN_KEEPALIVE void snell_set(Engine* engine, int index, int component, double value, int widens) {
+    engine->change(index, component, [&](Control& control, double before) {
+        const std::optional<double> fits = fitting(value, control.type);
+        if (!fits || control.widget != Widget::slider) return fits.value_or(before);
+        if (widens) {
+            control.min = std::min(control.min, *fits);
+            control.max = std::max(control.max, *fits);
+        }
+        return std::clamp(*fits, control.min, control.max);
+    });
 }
 
-EMSCRIPTEN_KEEPALIVE void snell_range(Engine* engine, int index, double min, double max) {
-    Control* control = engine->control(index);
-    if (!control || !(min <= max)) return;
-    control->min = min;
-    control->max = max;
+// Moves a slider to a fraction of its track.
+EMSCRIPTEN_KEEPALIVE void snell_slide(Engine* engine, int index, int component, double fraction, int fine) {
+    engine->change(index, component, [&](const Control& control, double) {
+        return value_at(fraction, engine->sliders.track_of(control), fine != 0);
+    });
 }
 
-// A negative index resets the values of all.
-EMSCRIPTEN_KEEPALIVE void snell_reset(Engine* engine, int index) {
-    if (Control* control = engine->control(index)) reset(*control);
-    if (index >= 0 || !engine->scene.document()) return;
-    for (Control& control : engine->scene.document()->controls.items) reset(control);
+EMSCRIPTEN_KEEPALIVE void snell_step(Engine* engine, int index, int component, double steps) {
+    engine->change(index, component, [&](const Control& control, double value) {
+        return stepped(value, steps, engine->sliders.track_of(control));
+    });
+}
+
+// Gives a colour's component a byte of a picker. It keeps the precision that the picker lacks if that is its byte.
+EMSCRIPTEN_KEEPALIVE void snell_pick(Engine* engine, int index, int component, int byte) {
+    engine->change(index, component, [&](const Control&, double value) {
+        return std::round(255 * std::clamp(value, 0., 1.)) == byte ? value : tidy_color(byte / 255.);
+    });
+}
+
+// A negative component means all of the control.
+EMSCRIPTEN_KEEPALIVE void snell_reset(Engine* engine, int index, int component) {
+    Control* const control = engine->control(index);
+    if (!control || component >= static_cast<int>(control->value.size())) return;
+    for (std::size_t part = 0; part < control->value.size(); ++part)
+        if (component < 0 || part == static_cast<std::size_t>(component)) stop(engine->sliders.moving, *control, part);
+    if (component < 0)
+        reset(*control);
+    else
+        reset(*control, static_cast<std::size_t>(component));
+}
+
+EMSCRIPTEN_KEEPALIVE void snell_scale(Engine* engine, int index, int logarithmic) {
+    const Control* const control = engine->control(index);
+    if (!control) return;
+    const std::pair key{control->program, control->name};
+    if (logarithmic)
+        engine->sliders.logarithmic.insert(key);
+    else
+        engine->sliders.logarithmic.erase(key);
+    for (Animated& motion : engine->sliders.moving)
+        if (motion.program == control->program && motion.name == control->name)
+            motion.logarithmic = engine->sliders.track_of(*control).logarithmic;
+}
+
+// Begins or changes a slider's motion at this time of the scene, in seconds; without a period it ends.
+EMSCRIPTEN_KEEPALIVE void snell_animate(Engine* engine, int index, int component, double period, double time) {
+    const Control* const control = engine->control(index);
+    if (!control || component < 0 || static_cast<std::size_t>(component) >= control->value.size()) return;
+    const auto part = static_cast<std::size_t>(component);
+    Sliders& sliders = engine->sliders;
+    if (Animated* const motion = sliders.motion_of(*control, part); motion && period > 0)
+        set_period(*motion, period, time);
+    else if (period > 0)
+        sliders.moving.push_back(animated_from(*control, part, period, time, sliders.track_of(*control).logarithmic));
+    else
+        stop(sliders.moving, *control, part);
+}
+
+// Moves what moves by itself to this time.
+EMSCRIPTEN_KEEPALIVE void snell_advance(Engine* engine, double time) {
+    if (engine->draws()) animate(engine->scene.document()->controls, engine->sliders.moving, time);
+}
+
+EMSCRIPTEN_KEEPALIVE void snell_follow(Engine* engine) { engine->follow(); }
+
+// Goes a step of the history back, or forward again; what moves by itself stops before. "said" is what was changed, and
+// if the rungs were, there is what snell_choose returns, too.
+EMSCRIPTEN_KEEPALIVE const char* snell_go(Engine* engine, int forward) {
+    const double began = emscripten_get_now();
+    if (!engine->draws()) return engine->tell(Json{{"said", ""}});
+    engine->sliders.moving.clear();
+    engine->follow();
+    Document& document = *engine->scene.document();
+    const Diagnostics* found = nullptr;
+    const UserState state{document.scene(), document.controls, engine->scene.view,
+                          [&] { found = &engine->scene.follow_rungs(); }};
+    Json json{{"said", forward ? engine->history.redo(state) : engine->history.undo(state)}};
+    if (found) json["opened"] = opened_json(*engine, !found->has_errors(), *found, document.sources, began);
+    return engine->tell(json);
+}
+
+// Returns the number that a text means for a control, or for none; NaN if it is none, infinity if it does not fit.
+EMSCRIPTEN_KEEPALIVE double snell_typed(Engine* engine, int index, const char* text) {
+    const Control* const control = engine->control(index);
+    const double otherwise = is_number(text) ? std::numeric_limits<double>::infinity() : std::nan("");
+    return typed(text, control ? control->type : ValueType::float_).value_or(otherwise);
 }
 
 EMSCRIPTEN_KEEPALIVE const char* snell_choose(Engine* engine, int ladder, int rung) {
     const double began = emscripten_get_now();
     if (!engine->draws()) return engine->tell(Json{{"ok", false}, {"problems", Json::array()}, {"milliseconds", 0}});
-    const Diagnostics& found = engine->scene.choose(static_cast<std::size_t>(ladder), static_cast<std::size_t>(rung));
-    return engine->tell(opened_json(*engine, !found.has_errors(), found, engine->scene.document()->sources, began));
+    Document& document = *engine->scene.document();
+    const auto which = static_cast<std::size_t>(ladder), to = static_cast<std::size_t>(rung);
+    if (which < document.scene().ladders.size() && to < document.scene().ladders[which].rungs.size())
+        document.controls.rungs[which] = to;
+    const Diagnostics& found = engine->scene.follow_rungs();
+    return engine->tell(opened_json(*engine, !found.has_errors(), found, document.sources, began));
 }
 
-// What differs from the scene's text.
+// The controls; what differs from the scene's text; and whether there are steps.
 EMSCRIPTEN_KEEPALIVE const char* snell_state(Engine* engine) {
-    Json json{{"values", Json::array()}, {"rungs", Json::array()}, {"view", view_text(engine->scene.view)}};
+    Json json{{"controls", Json::array()},
+              {"values", Json::array()},
+              {"ranges", Json::array()},
+              {"rungs", Json::array()},
+              {"view", view_text(engine->scene.view)},
+              {"canUndo", engine->history.done() > 0 || !engine->sliders.moving.empty()},
+              {"canRedo", engine->history.done() < engine->history.size()}};
     if (engine->draws()) {
         const Document& document = *engine->scene.document();
+        const Setup changed = changed_setup(document.scene(), document.controls);
+        json["controls"] = controls_json(document, engine->sliders);
         json["values"] = set_arguments(document.scene(), document.controls);
-        json["rungs"] = arguments_of(changed_setup(document.scene(), {{}, document.runtime->rungs()}), ladder_option);
+        json["ranges"] = arguments_of(changed, range_option);
+        json["rungs"] = arguments_of(changed, ladder_option);
     }
     return engine->tell(json);
 }

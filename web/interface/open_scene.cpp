@@ -8,6 +8,7 @@
 #include "src/plan/objects.h"
 #include "src/plan/setup.h"
 #include "src/plan/texts.h"
+#include "src/plan/values/numbers.h"
 
 namespace snell::web {
 
@@ -32,6 +33,25 @@ void set_value_with_comma(const std::string& assignment, Controls& controls, con
         if (taken) wrong = std::move(still_wrong);
     }
     problems.append(wrong);
+}
+
+// Takes a range that has room for the value. What does not fit is named as an address has it.
+void set_range(const std::string& assignment, const Scene& scene, Controls& controls, Diagnostics& problems) {
+    const std::size_t equals = assignment.rfind('=');
+    const std::vector<std::string> names = control_names(scene, controls);
+    const auto found = ranges::find(names, assignment.substr(0, equals));
+    const std::vector<double> range = read_numbers(std::string_view(assignment).substr(equals + 1));
+    Control* const control =
+        found == names.end() ? nullptr : &controls.items[static_cast<std::size_t>(found - names.begin())];
+    const auto fits = [&](double value) { return value >= range[0] && value <= range[1]; };
+    if (control && control->widget == Widget::slider && range.size() == 2 && range[0] < range[1] &&
+        ranges::all_of(range, [&](double end) { return fitting(end, control->type) == end; }) &&
+        ranges::all_of(control->value, fits)) {
+        control->min = range[0];
+        control->max = range[1];
+        return;
+    }
+    problems.error("range-not-taken", assignment.substr(0, equals) + ":range=" + assignment.substr(equals + 1));
 }
 
 constexpr std::uint64_t most_image_bytes = std::uint64_t{512} << 20;  // decoding takes three times as much
@@ -94,6 +114,7 @@ void OpenScene::take(std::unique_ptr<Document> read, Plan plan, const Settings& 
     // What no ladder has the name of is a uniform of any program.
     for (const std::string& rung : settings.rungs)
         if (!names_ladder(read->scene(), rung)) set_value_with_comma(rung, read->controls, read->scene(), problems);
+    for (const std::string& range : settings.ranges) set_range(range, read->scene(), read->controls, problems);
     if (settings.view)
         if (const std::string wrong = parse_view(*settings.view, view); !wrong.empty())
             problems.error("view-unreadable", wrong);
@@ -108,27 +129,16 @@ Remembered OpenScene::remembered() const {
     return memory;
 }
 
-const Diagnostics& OpenScene::choose(std::size_t ladder, std::size_t rung) {
-    const Scene& scene = shown_->scene();
-    if (shown_->controls.rungs.empty()) shown_->controls.rungs = shown_->runtime->rungs();
-    if (ladder < scene.ladders.size() && rung < scene.ladders[ladder].rungs.size())
-        shown_->controls.rungs[ladder] = rung;
+const Diagnostics& OpenScene::follow_rungs() {
     memory_ = remembered();
-    if (follow_rungs(*shown_)) recall(memory_, shown_->scene(), shown_->controls);
+    if (snell::follow_rungs(*shown_)) recall(memory_, shown_->scene(), shown_->controls);
     return shown_->runtime->ladder_problems();
 }
 
 std::unique_ptr<Document> OpenScene::compiled(const Plan& plan, const gl::Caps& caps, const Runtime* previous) const {
-    auto document = std::make_unique<Document>();
-    document->path = shown_->path;
-    document->files = std::make_unique<Files>(scene_folder(document->path), page_access(caps));
-    document->sources = shown_->sources;
     RuntimeOptions options;
     options.previous = previous;
-    document->runtime.emplace(plan, *document->files, document->sources, caps, document->diagnostics, options);
-    document->controls = document->runtime->controls();
-    carry_over(shown_->controls, plan_.scene, document->controls, plan_.scene);
-    return document;
+    return compile_document(shown_->path, plan, shown_->sources, shown_->controls, caps, page_access(caps), options);
 }
 
 void OpenScene::release() {

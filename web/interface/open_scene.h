@@ -16,6 +16,7 @@ namespace snell::web {
 // What takes effect before the first picture.
 struct Settings {
     std::vector<std::string> values, rungs;  // such as "Glass.uEta=1.3" and "FRESNEL=exact"
+    std::vector<std::string> ranges;         // such as "Glass.uEta=1,5"
     std::optional<std::string> view;         // such as "rotate_x=30"
     bool fresh = false;                      // values that were set before are forgotten
     bool lints = true;
@@ -34,8 +35,8 @@ struct Reading {
 class OpenScene {
 public:
     Reading open(const std::string& path, const Settings& settings, const gl::Caps& caps);
-    // Returns the problems of the rung's programs.
-    const Diagnostics& choose(std::size_t ladder, std::size_t rung);
+    // Makes the programs and controls of the rungs that the controls have. Returns the problems of these programs.
+    const Diagnostics& follow_rungs();
     // Makes everything again in another context, from the texts that are shown.
     void restore(const gl::Caps& caps);
     // Gives up all objects of OpenGL, as far as there are any.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -17,21 +18,6 @@ const char* widget_name(Widget widget) {
     return widget == Widget::color ? "color" : widget == Widget::check_box ? "check_box" : "slider";
 }
 
-const char* type_name(ValueType type) {
-    switch (type) {
-        case ValueType::int_:
-            return "int";
-        case ValueType::uint_:
-            return "uint";
-        case ValueType::bool_:
-            return "bool";
-        case ValueType::double_:
-            return "double";
-        default:
-            return "float";
-    }
-}
-
 Json place_json(const Span& span, const Sources& sources) {
     const Position begin = sources.position(span.file, span.begin), end = sources.position(span.file, span.end);
     return {{"file", std::string(sources.name(span.file))},
@@ -39,31 +25,6 @@ Json place_json(const Span& span, const Sources& sources) {
             {"column", begin.column},
             {"endLine", end.line},
             {"endColumn", end.column}};
-}
-
-Json controls_json(const Document& document) {
-    Json all = Json::array();
-    const std::vector<Control>& items = document.controls.items;
-    const std::vector<std::string> names = control_names(document.scene(), document.controls);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const Control& c = items[i];
-        if (c.widget == Widget::none || !c.active) continue;
-        all.push_back({{"index", i},
-                       {"key", names[i]},
-                       {"program", document.scene().programs[c.program].name},
-                       {"name", c.name},
-                       {"widget", widget_name(c.widget)},
-                       {"type", type_name(c.type)},
-                       {"components", c.components},
-                       {"min", c.min},
-                       {"max", c.max},
-                       {"value", c.value},
-                       {"initialMin", c.initial_min},
-                       {"initialMax", c.initial_max},
-                       {"initial", c.initial},
-                       {"active", c.active}});
-    }
-    return all;
 }
 
 Json ladders_json(const Document& document) {
@@ -115,12 +76,58 @@ Json problems_json(const Diagnostics& diagnostics, const Sources& sources) {
     return all;
 }
 
-Json shown_json(const Document& document) {
+bool Sliders::can_be_logarithmic(const Control& control) const {
+    return control.min > 0 && control.max > control.min && std::isfinite(control.max / control.min);
+}
+
+Track Sliders::track_of(const Control& control) const {
+    return {control.min, control.max, control.type,
+            logarithmic.contains({control.program, control.name}) && can_be_logarithmic(control)};
+}
+
+Animated* Sliders::motion_of(const Control& control, std::size_t component) {
+    const auto found =
+        ranges::find_if(moving, [&](const Animated& motion) { return motion.moves(control, component); });
+    return found == moving.end() ? nullptr : &*found;
+}
+
+Json controls_json(const Document& document, Sliders& sliders) {
+    Json all = Json::array();
+    const std::vector<Control>& items = document.controls.items;
+    const std::vector<std::string> names = control_names(document.scene(), document.controls);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Control& c = items[i];
+        if (c.widget == Widget::none || !c.active) continue;
+        const auto text = [&](double value) { return shown(value, c.min, c.max, is_whole(c.type)); };
+        Json& json = all.emplace_back(Json{{"index", i},
+                                           {"key", names[i]},
+                                           {"program", document.scene().programs[c.program].name},
+                                           {"name", c.name},
+                                           {"widget", widget_name(c.widget)},
+                                           {"min", c.min},
+                                           {"max", c.max},
+                                           {"value", c.value},
+                                           {"initial", c.initial},
+                                           {"logarithmic", sliders.logarithmic.contains({c.program, c.name})},
+                                           {"canBeLogarithmic", sliders.can_be_logarithmic(c)}});
+        for (const char* list : {"at", "shown", "initialShown", "periods"}) json[list] = Json::array();
+        for (std::size_t part = 0; part < c.value.size(); ++part) {
+            const Animated* const motion = sliders.motion_of(c, part);
+            json["at"].push_back(fraction_of(c.value[part], sliders.track_of(c)));
+            json["shown"].push_back(text(c.value[part]));
+            json["initialShown"].push_back(text(c.initial[part]));
+            json["periods"].push_back(motion ? motion->period : 0);
+        }
+    }
+    return all;
+}
+
+Json shown_json(const Document& document, Sliders& sliders) {
     const Scene& scene = document.scene();
     const bool animated = document.runtime->animated();
     return {{"title", std::filesystem::path(document.path).stem().string()},
             {"scene", document.path},
-            {"controls", controls_json(document)},
+            {"controls", controls_json(document, sliders)},
             {"ladders", ladders_json(document)},
             {"width", scene.window_size[0]},
             {"height", scene.window_size[1]},

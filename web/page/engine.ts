@@ -20,26 +20,26 @@ export interface Problem {
 }
 
 export interface Control {
-    // For set() and range(); valid until the next open() or choose().
+    // For set() and the like; valid until the next open() or choose().
     index: number;
     // "Glass.uEta", or "Glass#2.uEta" in the second program of that name.
     key: string;
     program: string;
     name: string;
     widget: 'slider' | 'check_box' | 'color';
-    type: 'float' | 'int' | 'uint' | 'bool' | 'double';
-    components: number;
     min: number;
     max: number;
     value: number[];
     // What the scene's text says: a reset restores it.
-    initialMin: number;
-    initialMax: number;
     initial: number[];
-    // False: the linked program does not use it. Such controls are not listed.
-    active: boolean;
-    // The range cannot be widened, because there is nothing to show beyond it.
-    fixed?: boolean;
+    logarithmic: boolean;
+    canBeLogarithmic: boolean;
+    // Of each component: where it is on its track, 0 to 1; value and initial as text; and in how many seconds it goes
+    // there and back by itself, 0 if it does not.
+    at: number[];
+    shown: string[];
+    initialShown: string[];
+    periods: number[];
 }
 
 export interface Ladder {
@@ -69,6 +69,20 @@ export interface Shown {
     // Paths of the files that were read.
     files: string[];
     counters: Record<string, number>;
+}
+
+// All that changes without open() and choose().
+export interface State {
+    // In the order of Shown.
+    controls: Control[];
+    // What differs from the scene, as the command line takes it: "Glass.uEta=1.3", "Glass.uEta=1,5", "FRESNEL=exact",
+    // "rotate_x=30,scale=1.2".
+    values: string[];
+    ranges: string[];
+    rungs: string[];
+    view: string;
+    canUndo: boolean;
+    canRedo: boolean;
 }
 
 export interface Opened {
@@ -130,22 +144,35 @@ export interface Engine {
     write(name: string, bytes: Uint8Array): void;
     remove(name: string): void;
 
-    // `settings`: values, rungs and view by name take effect before the first picture; what does not fit is a problem.
+    // `settings`: values, rungs, ranges and view by name take effect before the first picture; what does not fit is a problem.
     // Values that were set by hand before are kept where the scene still has them, unless `fresh`.
-    open(scene: string, settings?: { values?: string[]; rungs?: string[]; view?: string; fresh?: boolean; lints?: boolean }): Opened;
+    open(scene: string, settings?: { values?: string[]; rungs?: string[]; ranges?: string[]; view?: string; fresh?: boolean; lints?: boolean }): Opened;
     // What is said without graphics, with lints.
     check(scene: string): Problem[];
 
-    set(index: number, component: number, value: number): void;
-    range(index: number, min: number, max: number): void;
-    reset(index?: number): void;
+    // Values outside of the range widen it if `widens`, and else are moved into it.
+    set(index: number, component: number, value: number, widens?: boolean): void;
+    // To a fraction of the track; `fine`: with more digits.
+    slide(index: number, component: number, fraction: number, fine?: boolean): void;
+    // By hundredths of the range, whole numbers by one.
+    step(index: number, component: number, steps: number): void;
+    // To the byte of a picker of colours.
+    pick(index: number, component: number, byte: number): void;
+    reset(index: number, component?: number): void;
+    scale(index: number, logarithmic: boolean): void;
+    // Begins or changes the motion of a slider at this time of the scene, in seconds; 0: it ends.
+    animate(index: number, component: number, period: number, time: number): void;
+    advance(time: number): void;
+    // The number that a text means for a control, or for none; NaN if it is none, infinity if it does not fit.
+    typed(text: string, index?: number): number;
+    // What was changed since the last call is a step of undo.
+    follow(): void;
+    // Goes a step back, or `forward` again; `opened` if the rungs are others.
+    go(forward: boolean): { said: string; opened?: Opened };
+    state(): State;
     // Compiles what the rung needs; the controls may be others afterwards.
     choose(ladder: number, rung: number): Opened;
 
-    // What differs from the scene, as the command line takes it: "Glass.uEta=1.3", "FRESNEL=exact", "rotate_x=30,scale=1.2".
-    values(): string[];
-    rungs(): string[];
-    view(): string;
     // "" or the error.
     setView(view: string): string;
     // The pointer's movement in CSS pixels, by the window's own rules.

@@ -1,4 +1,4 @@
-// The engine by WebAssembly, from snell.wasm. Tests put fake_engine.ts in the place of this file.
+// The engine by WebAssembly, from snell.wasm.
 import make from 'snell-engine';
 import type { Engine } from './engine.ts';
 import { WasmEngine } from './wasm.ts';

@@ -1,6 +1,6 @@
 // The engine by WebAssembly: the functions of web/interface/interface.cpp behind the page's own interface.
 
-import type { Engine, Frame, Opened, Problem, Saved } from './engine.ts';
+import type { Engine, Frame, Opened, Problem, Saved, State } from './engine.ts';
 
 // What Emscripten gives (build/web/engine/snell.js).
 interface Files {
@@ -32,9 +32,17 @@ interface Program {
     _snell_driver(engine: Pointer): Pointer;
     _snell_open(engine: Pointer, scene: Pointer, settings: Pointer): Pointer;
     _snell_check(engine: Pointer, scene: Pointer): Pointer;
-    _snell_set(engine: Pointer, index: number, component: number, value: number): void;
-    _snell_range(engine: Pointer, index: number, min: number, max: number): void;
-    _snell_reset(engine: Pointer, index: number): void;
+    _snell_set(engine: Pointer, index: number, component: number, value: number, widens: number): void;
+    _snell_slide(engine: Pointer, index: number, component: number, fraction: number, fine: number): void;
+    _snell_step(engine: Pointer, index: number, component: number, steps: number): void;
+    _snell_pick(engine: Pointer, index: number, component: number, byte: number): void;
+    _snell_reset(engine: Pointer, index: number, component: number): void;
+    _snell_scale(engine: Pointer, index: number, logarithmic: number): void;
+    _snell_animate(engine: Pointer, index: number, component: number, period: number, time: number): void;
+    _snell_advance(engine: Pointer, time: number): void;
+    _snell_typed(engine: Pointer, index: number, text: Pointer): number;
+    _snell_follow(engine: Pointer): void;
+    _snell_go(engine: Pointer, forward: number): Pointer;
     _snell_choose(engine: Pointer, ladder: number, rung: number): Pointer;
     _snell_state(engine: Pointer): Pointer;
     _snell_set_view(engine: Pointer, text: Pointer): Pointer;
@@ -152,32 +160,56 @@ export class WasmEngine implements Engine {
         return this.asked((name) => this.program._snell_check(this.engine, name), scene);
     }
 
-    set(index: number, component: number, value: number): void {
-        this.program._snell_set(this.engine, index, component, value);
+    set(index: number, component: number, value: number, widens = false): void {
+        this.program._snell_set(this.engine, index, component, value, Number(widens));
     }
 
-    range(index: number, min: number, max: number): void {
-        this.program._snell_range(this.engine, index, min, max);
+    slide(index: number, component: number, fraction: number, fine = false): void {
+        this.program._snell_slide(this.engine, index, component, fraction, Number(fine));
     }
 
-    reset(index?: number): void {
-        this.program._snell_reset(this.engine, index ?? -1);
+    step(index: number, component: number, steps: number): void {
+        this.program._snell_step(this.engine, index, component, steps);
+    }
+
+    pick(index: number, component: number, byte: number): void {
+        this.program._snell_pick(this.engine, index, component, byte);
+    }
+
+    reset(index: number, component = -1): void {
+        this.program._snell_reset(this.engine, index, component);
+    }
+
+    scale(index: number, logarithmic: boolean): void {
+        this.program._snell_scale(this.engine, index, Number(logarithmic));
+    }
+
+    animate(index: number, component: number, period: number, time: number): void {
+        this.program._snell_animate(this.engine, index, component, period, time);
+    }
+
+    advance(time: number): void {
+        this.program._snell_advance(this.engine, time);
+    }
+
+    typed(text: string, index = -1): number {
+        return this.passed((at) => this.program._snell_typed(this.engine, index, at), text);
+    }
+
+    follow(): void {
+        this.program._snell_follow(this.engine);
+    }
+
+    go(forward: boolean): { said: string; opened?: Opened } {
+        return this.json(this.program._snell_go(this.engine, Number(forward)));
+    }
+
+    state(): State {
+        return this.json(this.program._snell_state(this.engine));
     }
 
     choose(ladder: number, rung: number): Opened {
         return this.json(this.program._snell_choose(this.engine, ladder, rung));
-    }
-
-    values(): string[] {
-        return this.state().values;
-    }
-
-    rungs(): string[] {
-        return this.state().rungs;
-    }
-
-    view(): string {
-        return this.state().view;
     }
 
     setView(view: string): string {
@@ -237,10 +269,6 @@ export class WasmEngine implements Engine {
         return error || this.takenBytes();
     }
 
-    private state(): { values: string[]; rungs: string[]; view: string } {
-        return this.json(this.program._snell_state(this.engine));
-    }
-
     // Copies the bytes of the last picture out of the program, and frees them there.
     private takenBytes(): Uint8Array<ArrayBuffer> {
         const { program, engine } = this;
@@ -260,6 +288,11 @@ export class WasmEngine implements Engine {
 
     // Passes texts, and returns the one that comes back.
     private call(ask: (...texts: Pointer[]) => Pointer, ...texts: string[]): string {
+        return this.program.UTF8ToString(this.passed(ask, ...texts));
+    }
+
+    // Passes texts, and returns the number that comes back.
+    private passed(ask: (...texts: Pointer[]) => number, ...texts: string[]): number {
         const { program } = this;
         const passed = texts.map((text) => {
             const bytes = program.lengthBytesUTF8(text) + 1;
@@ -267,9 +300,8 @@ export class WasmEngine implements Engine {
             program.stringToUTF8(text, at, bytes);
             return at;
         });
-        const answer = program.UTF8ToString(ask(...(passed as [Pointer, Pointer])));
+        const answer = ask(...(passed as [Pointer, Pointer]));
         passed.forEach((at) => program._free(at));
         return answer;
     }
 }
-

@@ -169,7 +169,7 @@ test('left of the split are the chosen rungs, right of it the references', async
     assert.deepEqual(columns(both!, 200, 400), columns(reference, 200, 400));
 });
 
-test('what is set by name, turned and moved is what values() and view() say', async () => {
+test('what is set by name, turned and moved is what state() says', async () => {
     const engine = await started();
     const opened = await engine.evaluate((e, files, room) => e.open(files, room), filesBelow('scenes'), room);
     const slider = opened.shown!.controls.find((control) => control.widget === 'slider')!;
@@ -179,12 +179,101 @@ test('what is set by name, turned and moved is what values() and view() say', as
             e.engine.turn(20, 0, true);
             e.engine.zoom(2);
             e.engine.move(0, -10, 400, 300);
-            return [e.engine.values(), e.engine.view(), problems.length] as const;
+            const { values, view } = e.engine.state();
+            return [values, view, problems.length] as const;
         },
         room, `${slider.key}=${slider.max}`);
     assert.deepEqual(values, [`${slider.key}=${slider.max}`]);
     assert.match(view, /^rotate_x=30,rotate_y=10,scale=2,y=[.0-9]+$/);
     assert.equal(wrong, 1);
+});
+
+test('a gesture is one step of undo, and what is undone is what was there', async () => {
+    const engine = await started();
+    const [steps, said] = await engine.evaluate((e) => {
+        const { session, said } = e.session();
+        const index = (name: string) => session.controls.find((control) => control.name === name)!.index;
+        const steps: [string[], string[], string, boolean][] = [];
+        const note = () => {
+            const { values, ranges, view, canUndo } = session.state;
+            steps.push([values, ranges, view, canUndo]);
+        };
+        const gesture = {};
+        for (const at of [0.25, 0.5]) session.change(() => e.engine.slide(index('uA'), 0, at), gesture);
+        session.end();
+        note();
+        session.change(() => e.engine.set(index('uA'), 0, 20, false));
+        session.change(() => e.engine.set(index('uA'), 0, 20, true));
+        note();
+        session.change(() => e.engine.turn(20, 10, true));
+        session.reset(session.controls[0]!);
+        session.resetAll();
+        note();
+        for (let i = 0; i < 4; ++i) {
+            session.go(false);
+            note();
+        }
+        session.go(true);
+        note();
+        // A drag back to where it began is no step.
+        const other = {};
+        for (const at of [0.5, 0]) session.change(() => e.engine.slide(index('uMix'), 0, at), other);
+        session.end();
+        session.go(false);
+        note();
+        return [steps, said] as const;
+    });
+    const turned = 'rotate_x=5,rotate_y=10';
+    assert.deepEqual(steps, [
+        [['P.uA=5.5'], [], '', true],
+        [['P.uA=20'], ['P.uA=1,20'], '', true],
+        [[], [], turned, true],
+        [['P.uA=20'], ['P.uA=1,20'], turned, true],
+        [['P.uA=20'], ['P.uA=1,20'], '', true],
+        [['P.uA=10'], [], '', true],
+        [['P.uA=5.5'], [], '', true],
+        [['P.uA=10'], [], '', true],
+        [['P.uA=5.5'], [], '', true],
+    ]);
+    assert.deepEqual(said.slice(-2), ['Redo: P.uA 5.5 → 10', 'Undo: P.uA 10 → 5.5']);
+});
+
+test('keys, a logarithmic scale and a picker set what the window sets', async () => {
+    const engine = await started();
+    const found = await engine.evaluate((e) => {
+        const { session } = e.session();
+        const of = (name: string) => session.controls.find((control) => control.name === name)!;
+        session.change(() => e.engine.step(of('uMix').index, 0, 0.1));
+        session.change(() => e.engine.step(of('uCount').index, 0, 10));
+        session.change(() => e.engine.pick(of('uTint').index, 0, 128));
+        session.change(() => e.engine.pick(of('uTint').index, 1, 209));
+        session.change(() => e.engine.scale(of('uA').index, true));
+        const at = of('uA').at[0]!;
+        session.change(() => e.engine.slide(of('uA').index, 0, 0.5));
+        const typed = ['1/3', '2,5', '1e39', '1e999', '1/0', 'abc', ''].map((text) => String(e.engine.typed(text, of('uA').index)));
+        return { values: ['uMix', 'uCount', 'uTint', 'uA'].map((name) => of(name).value), at, typed, shown: of('uA').shown };
+    });
+    assert.deepEqual(found.values, [[0.001], [11], [0.5, 0.82, 0.1], [3.162]]);
+    assert.ok(Math.abs(found.at - Math.log10(2)) < 1e-12);
+    assert.deepEqual(found.shown, ['3.1620']);
+    assert.deepEqual(found.typed, [String(1 / 3), '2.5', 'Infinity', 'Infinity', 'NaN', 'NaN', 'NaN']);
+});
+
+test('a slider that moves by itself goes there and back, and its motion is one step', async () => {
+    const engine = await started();
+    const found = await engine.evaluate((e) => {
+        const { session } = e.session();
+        const { index } = session.controls[1]!;
+        const at = (time: number) => (session.move(time), session.controls[1]!.value[0]!);
+        session.change(() => e.engine.animate(index, 0, 4, 10));
+        const values = [10, 11, 12, 13, 14].map(at);
+        session.change(() => e.engine.animate(index, 0, 8, 14));
+        values.push(...[14, 16, 18].map(at));
+        const { canUndo } = session.state;
+        session.go(false);
+        return { values, periods: session.periods, after: session.state.values, canUndo, more: session.state.canUndo };
+    });
+    assert.deepEqual(found, { values: [0, 0.5, 1, 0.5, 0, 0, 0.5, 1], periods: [], after: [], canUndo: true, more: false });
 });
 
 test('a large picture, drawn in parts, has every pixel in its place', async () => {

@@ -1,5 +1,6 @@
 // What the tests of the engine run in a page: the engine, and a way to see its pictures.
 import type { Frame, Opened } from '../page/engine.ts';
+import { Session } from '../page/viewer/session.ts';
 import { WasmEngine, type MakeProgram } from '../page/wasm.ts';
 
 export type Files = Record<string, string>; // base64
@@ -39,6 +40,20 @@ export class EnginePage {
     open(files: Files, scene: string): Opened {
         this.write(files);
         return this.engine.open(scene, { lints: false });
+    }
+
+    // The page's own session over a small scene, and what it says.
+    session(): { session: Session; said: string[] } {
+        this.edit('v.vert', 'void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }');
+        this.edit('f.frag', 'uniform float uA, uMix; uniform vec3 uTint; uniform int uCount; void main() { gl_FragColor = vec4(uTint * uA + uMix + float(uCount), 1.); }');
+        const line = 'Program P uA <1. 2. 10.> uMix <0. 0. 1.> uCount <1 8 32> uTint {1. .82 .1}';
+        this.edit('s.glib', `Vertex v.vert\nFragment f.frag\n${line}\nSphere 1 20 20\n`);
+        const said: string[] = [];
+        const nothing = () => {};
+        const on = { redraw: nothing, changed: nothing, listed: nothing, moved: nothing, problems: nothing };
+        const session = new Session(this.engine, { ...on, say: (message) => void said.push(message) });
+        session.accept(this.engine.open('s.glib', { fresh: true }));
+        return { session, said };
     }
 
     // The bytes of a picture, as an array that crosses to the test.

@@ -1,7 +1,7 @@
 // The state in the page's address, and addresses that anyone may have made.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { fragmentOf, rangeText, readFragment } from '../page/viewer/fragment.ts';
+import { fragmentOf, readFragment } from '../page/viewer/fragment.ts';
 import { safeLink, sceneOf } from '../page/viewer/load.ts';
 
 test('an address gives back what was written, for any names', () => {
@@ -32,11 +32,6 @@ test('what is no setting is refused and named', () => {
         assert.equal(refused.length, 1, text);
         assert.deepEqual([settings.values, settings.rungs, settings.ranges, settings.view, settings.time, settings.split], [[], [], [], '', undefined, undefined], text);
     }
-});
-
-test('a range is named as the address has it', () => {
-    const { settings } = readFragment('#Ball.uRed:range=5,1');
-    assert.deepEqual(settings.ranges.map(rangeText), ['Ball.uRed:range=5,1']);
 });
 
 test('a very long address is refused as a whole', () => {

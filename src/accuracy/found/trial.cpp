@@ -74,11 +74,7 @@ Trial Trials::open(std::span<const std::size_t> changes, bool shared) {
         for (const Change& change : chosen->changes) these.push_back(&change);
         texts = changed_texts(these, original_.sources);
     }
-    Access access = original_.files.access();
-    if (access.instead)
-        for (const auto& [path, text] : *access.instead) texts.try_emplace(path, text);
-    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
-    trial.files = std::make_unique<Files>(original_.files.folder(), std::move(access));
+    trial.files = std::make_unique<Files>(original_.files.folder(), original_.files.access().with(std::move(texts)));
     trial.sources = std::make_unique<Sources>();
     auto plan = read_plan(original_.path, *trial.files, *trial.sources, trial.problems);
     if (!plan) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/costs.h"
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/html_page.h"
@@ -52,10 +53,7 @@ double exposure(const Picture& reference) {
     for (std::size_t i = 0; i < reference.rgba.size(); i += 4)
         for (std::size_t c = 0; c < 3; ++c)
             if (std::isfinite(reference.rgba[i + c])) values.push_back(reference.rgba[i + c]);
-    if (values.empty()) return 1;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 99 / 100);
-    std::nth_element(values.begin(), at, values.end());
-    return *at > 1 ? 1 / static_cast<double>(*at) : 1;
+    return 1 / std::max(static_cast<double>(quantile(values, .99)), 1.);
 }
 
 // One factor for all differences of a sweep, a power of two, at which the median difference is clearly visible.

@@ -94,7 +94,8 @@ void GivenTexts::remove_saved(Access& access) const {
     for (const auto& [path, text] : *access.instead)
         if (const auto given = given_.find(path); given != given_.end() && given->second == written(path))
             if (!says(path, text)) left.emplace(path, text);
-    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(left));
+    access.instead = nullptr;
+    access = access.with(std::move(left));
 }
 
 }  // namespace snell

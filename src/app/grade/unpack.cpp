@@ -32,15 +32,10 @@ struct ArchiveModule {
 
 ArchiveModule open_archive_module() {
     ArchiveModule result;
-    const content::LoadedModule module = content::load_module("snell_archive.so", "libarchive");
-    result.error = module.error;
-    if (!module.error.empty()) return result;
-    decltype(&snell_archive_api_version) api = nullptr;
-    const bool fits =
-        module.find("snell_archive_api_version", api) && api() == snell_archive_version &&
-        module.find("snell_archive_open", result.open) && module.find("snell_archive_next", result.next) &&
-        module.find("snell_archive_read", result.read) && module.find("snell_archive_close", result.close);
-    if (!fits) result.error = module.path + " is from another version of snell";
+    result.error = content::open_functions(
+        "snell_archive.so", "libarchive", "snell_archive_api_version", snell_archive_version,
+        std::pair{"snell_archive_open", &result.open}, std::pair{"snell_archive_next", &result.next},
+        std::pair{"snell_archive_read", &result.read}, std::pair{"snell_archive_close", &result.close});
     return result;
 }
 

@@ -322,4 +322,13 @@ std::string revert_saved(const std::vector<SavedFile>& files) {
     return exchange(files, &SavedFile::after, &SavedFile::before);
 }
 
+std::string exchange_saved(const std::vector<SavedFile>& files, bool forward) {
+    if (forward) return write_saved(files);
+    std::string error = revert_saved(files);
+    std::error_code none;
+    for (const SavedFile& file : files)
+        if (error.empty() && file.before.empty()) std::filesystem::remove(file.path, none);
+    return error;
+}
+
 }  // namespace snell

@@ -63,5 +63,7 @@ namespace snell {
 std::string write_saved(const std::vector<SavedFile>& files);
 // Restores the previous texts if the files are still as saved. Returns "" or the error.
 std::string revert_saved(const std::vector<SavedFile>& files);
+// Writes them again if `forward`, and otherwise restores the previous texts; a file that was not there before goes.
+std::string exchange_saved(const std::vector<SavedFile>& files, bool forward);
 
 }  // namespace snell

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <locale.h>
+#include <stdlib.h>
 #include <wctype.h>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +16,6 @@
 #include "parser/text/words.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
-#include "src/app/page/encode.h"
 #include "src/app/page/page.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
@@ -34,6 +34,40 @@ namespace snell::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct EncodedPicture {
+    std::string bytes;
+    const char* extension = "png";  // "png" or "webp"
+};
+
+// OpenImageIO's writers need a file.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        std::error_code error;
+        std::string name = (fs::temp_directory_path(error) / "snell-page-XXXXXX").string();
+        if (mkdtemp(name.data())) path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code error;
+        if (!path_.empty()) fs::remove_all(path_, error);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::string& path() const { return path_; }  // empty if there is none
+
+private:
+    std::string path_;
+};
+
+// Encodes as WebP, which takes a fifth of a PNG, or as PNG without OpenImageIO.
+EncodedPicture encoded(const content::Image& picture) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() + "/picture.webp";
+    if (folder.path().empty() || !content::write_image(file, picture).empty()) return {content::encode_png(picture)};
+    return {content::whole_file(file), "webp"};
+}
 
 // Sorted by name, so that the index does not depend on the file system.
 bool find_scenes(const std::vector<std::string>& folders, std::vector<Exhibit>& exhibits) {

@@ -137,10 +137,7 @@ private:
     }
 
     std::unique_ptr<Files> copy_of_files(std::map<std::string, std::string> texts) const {
-        Access access = document_.files->access();
-        if (access.instead) texts.insert(access.instead->begin(), access.instead->end());
-        access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
-        return std::make_unique<Files>(document_.files->folder(), std::move(access));
+        return std::make_unique<Files>(document_.files->folder(), document_.files->access().with(std::move(texts)));
     }
 
     // How many of the pixels are NaN, and the numbers of the expressions that are the first in most of them; 0: none.

@@ -5,17 +5,12 @@
 namespace snell {
 
 Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
-    : caps_(caps),
-      accuracy_(scene, caps),
-      found_(scene, caps),
-      states_(scene, caps),
-      frame_costs_(caps),
-      textures_(caps.es) {}
+    : caps_(caps), accuracy_(scene, caps), found_(scene, caps), states_(caps), frame_costs_(caps), textures_(caps.es) {}
 
 void Measuring::begin_scene(const std::string& scene) {
     accuracy_ = AccuracyView(scene, caps_);
     found_ = FoundView(scene, caps_);
-    states_ = StatesView(scene, caps_);
+    states_ = StatesView(caps_);
     explained_ = {};
 }
 

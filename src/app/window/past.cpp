@@ -6,6 +6,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/app/open/write_copy.h"
 #include "src/plan/objects.h"
 #include "src/plan/setup.h"
 
@@ -130,10 +131,17 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
                         const std::function<void()>& follow_rungs) {
     Document* document = session.document();
     if (name_.empty() || !document || requests.undo == requests.redo) return {};
-    const UserState state{
-        document->scene(), document->controls, view, follow_rungs, moving, [&](const std::string& file) {
-            session.hold_values(file);
-        }};
+    const UserState state{document->scene(),
+                          document->controls,
+                          view,
+                          follow_rungs,
+                          moving,
+                          [&](const std::vector<SavedFile>& files, bool forward) {
+                              const std::string error = exchange_saved(files, forward);
+                              for (const SavedFile& file : files)
+                                  if (error.empty()) session.hold_values(file.path);
+                              return error;
+                          }};
     changed_ = true;
     return requests.undo ? history().undo(state) : history().redo(state);
 }

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "src/app/desktop/kept_scenes.h"
-#include "src/app/window/history.h"
 #include "src/app/window/session.h"
+#include "src/document/history.h"
 #include "src/platform/window.h"
 #include "src/ui/panels/state.h"
 

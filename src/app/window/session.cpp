@@ -201,17 +201,9 @@ void Session::recover(const Recovery& recovery) {
     recovering_ = !recovery.kept;
     if (recovering_) return;
     const Kept& kept = *recovery.kept;
-    auto document = std::make_unique<Document>();
-    document->path = path_;
-    document->files = std::make_unique<Files>(scene_folder(path_), access_);
-    document->sources = kept.sources;
     RuntimeOptions options;
     options.progress = progress_;
-    document->runtime.emplace(kept.plan, *document->files, document->sources, caps_, document->diagnostics, options);
-    document->controls = document->runtime->controls();
-    document->diagnostics.append(document->runtime->value_problems());
-    carry_over(kept.controls, kept.plan.scene, document->controls, document->scene());
-    shown_ = std::move(document);
+    shown_ = compile_document(path_, kept.plan, kept.sources, kept.controls, caps_, access_, options);
     plan_ = kept.plan;
     stale_ = true;
 }

@@ -28,14 +28,10 @@ std::atomic<bool>* needed = nullptr;
 
 OiioModule open_module() {
     OiioModule result;
-    const LoadedModule module = load_module(module_name, "OpenImageIO");
-    result.error = module.error;
-    if (!module.error.empty()) return result;
-    decltype(&snell_oiio_api_version) version = nullptr;
-    const bool fits = module.find("snell_oiio_api_version", version) && version() == snell_oiio_version &&
-                      module.find("snell_oiio_read", result.read) && module.find("snell_oiio_begin", result.begin) &&
-                      module.find("snell_oiio_rows", result.rows) && module.find("snell_oiio_end", result.end);
-    if (!fits) result.error = module.path + " is from another version of snell";
+    result.error =
+        open_functions(module_name, "OpenImageIO", "snell_oiio_api_version", snell_oiio_version,
+                       std::pair{"snell_oiio_read", &result.read}, std::pair{"snell_oiio_begin", &result.begin},
+                       std::pair{"snell_oiio_rows", &result.rows}, std::pair{"snell_oiio_end", &result.end});
     return result;
 }
 

@@ -287,14 +287,7 @@ void Fusion::make_plain(Unit& u, Global& g, int count) {
 // A block becomes a structure of that instance, or its members become variables.
 void Fusion::make_plain(Unit& u, const Block& b, const std::string& prefix, int count) {
     u.erase(b.first, b.open - 1);
-    for (const auto& [first, last] : b.member_tokens)
-        for (int k = first; k <= last && is_qualifier(u.at(k).text); ++k) {
-            int end = k;
-            if (u.at(k).text == "layout")
-                while (end < last && u.at(end).text != ")") ++end;
-            if (u.at(k).text != "highp" && u.at(k).text != "mediump" && u.at(k).text != "lowp") u.erase(k, end);
-            k = end;
-        }
+    unqualify_members(u, b);
     std::string zeros;
     for (std::size_t n = 0; n < b.members.size(); ++n) {
         const std::string value = zero_of(u.structs, b.members[n].type);

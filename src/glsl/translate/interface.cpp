@@ -67,14 +67,7 @@ void read_as_zero(Program& program, Unit& u, Block& b, const Unit& from) {
     warn_of_zero(program, u, b.open - 1, b.name, from);
     b.qualifiers.storage = Storage::plain;
     u.erase(b.first, b.open - 1);
-    for (const auto& [first, last] : b.member_tokens)
-        for (int k = first; k <= last && is_qualifier(u.at(k).text); ++k) {
-            int end = k;
-            if (u.at(k).text == "layout")
-                while (end < last && u.at(end).text != ")") ++end;
-            u.erase(k, end);
-            k = end;
-        }
+    unqualify_members(u, b);
     std::string start, before, after;
     if (b.instance.empty()) {
         u.erase(b.open, b.open);
@@ -159,6 +152,18 @@ void turn_around(Program& program, Unit& from, Unit& u) {
 }
 
 }  // namespace
+
+void unqualify_members(Unit& unit, const Block& block) {
+    for (const auto& [first, last] : block.member_tokens)
+        for (int k = first; k <= last && is_qualifier(unit.at(k).text); ++k) {
+            const std::string_view word = unit.at(k).text;
+            int end = k;
+            if (word == "layout")
+                while (end < last && unit.at(end).text != ")") ++end;
+            if (word != "highp" && word != "mediump" && word != "lowp") unit.erase(k, end);
+            k = end;
+        }
+}
 
 void match_interfaces(Program& program) {
     for (Unit& u : program.units) {

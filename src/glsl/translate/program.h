@@ -141,6 +141,9 @@ std::string emit(const Program& program, Unit& unit);
 // Tokens first … last as they will be written, without what leads the first.
 std::string render(const Unit& unit, int first, int last);
 
+// Leaves the members of a block their types, precisions and names.
+void unqualify_members(Unit& unit, const Block& block);
+
 // Declares `in`, `out` or the like in the header unless the text does so itself.
 void declare_once(Unit& unit, std::string_view name, std::string_view declaration);
 // The unit's main has code to run before the user's; false if there is no main. `declared`: the token where the

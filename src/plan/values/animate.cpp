@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/plan/values/declared.h"
+#include "src/plan/values/numbers.h"
 
 namespace snell {
 
@@ -11,11 +12,8 @@ namespace {
 
 constexpr double shortest = 1e-3;  // seconds
 
-bool by_ratio(const Animated& motion, const Control& control) { return motion.logarithmic && control.min > 0; }
-
-double value_at(double fraction, const Animated& motion, const Control& control) {
-    if (by_ratio(motion, control)) return control.min * std::pow(control.max / control.min, fraction);
-    return control.min * (1 - fraction) + control.max * fraction;
+Track track_of(const Animated& motion, const Control& control) {
+    return {control.min, control.max, control.type, motion.logarithmic};
 }
 
 // Rounds to five digits of `size`, so that a saved number is short.
@@ -29,10 +27,7 @@ double rounded(double value, double size) {
 
 Animated animated_from(const Control& control, std::size_t component, double period, double time, bool logarithmic) {
     Animated motion{control.program, control.name, component, std::max(period, shortest), time, logarithmic};
-    const double value = control.value[component];
-    const double way = by_ratio(motion, control) ? std::log(control.max / control.min) : control.max - control.min;
-    const double done = by_ratio(motion, control) ? std::log(value / control.min) : value - control.min;
-    const double fraction = way > 0 ? std::clamp(done / way, 0., 1.) : 0;
+    const double fraction = fraction_of(control.value[component], track_of(motion, control));
     motion.start = time - fraction * motion.period / 2;
     return motion;
 }
@@ -46,10 +41,17 @@ void animate(Controls& controls, std::vector<Animated>& animated, double time) {
         Control* control = controls.find(motion.program, motion.name);
         const double cycles = (time - motion.start) / std::max(motion.period, shortest);
         const double fraction = 1 - std::abs(2 * (cycles - std::floor(cycles)) - 1);
-        const double exact = value_at(fraction, motion, *control);
-        const double value = rounded(exact, by_ratio(motion, *control) ? exact : control->max - control->min);
+        const double exact = exact_at(fraction, track_of(motion, *control));
+        const bool relative = motion.logarithmic && control->min > 0;
+        const double value = rounded(exact, relative ? exact : control->max - control->min);
         control->value[motion.component] = std::clamp(fit_to_type(value, control->type), control->min, control->max);
     }
+}
+
+void set_period(Animated& motion, double period, double time) {
+    const double cycles = (time - motion.start) / motion.period;
+    motion.period = std::clamp(period, .1, 1e4);
+    motion.start = time - cycles * motion.period;
 }
 
 void stop(std::vector<Animated>& animated, const Control& control, std::size_t component) {

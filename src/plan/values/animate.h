@@ -28,6 +28,8 @@ Animated animated_from(const Control& control, std::size_t component, double per
                        bool logarithmic = false);
 // Sets the values of this time. Motions whose control does not exist any more end.
 void animate(Controls& controls, std::vector<Animated>& animated, double time);
+// The value of this moment stays.
+void set_period(Animated& motion, double period, double time);
 // stop() ends the motion of a component, stop_all() those of a program.
 void stop(std::vector<Animated>& animated, const Control& control, std::size_t component);
 void stop_all(std::vector<Animated>& animated, Index program);

@@ -12,10 +12,10 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "src/plan/values/numbers.h"
 #include "src/plan/view.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
-#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 
@@ -141,7 +141,7 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
     if (!left && !tab && !enter) return false;
     const std::string_view text = typing.text.data();
     if (const std::optional<double> entered = typed(text, type)) return apply(value, *entered);
-    const char* wrong = evaluated(text) ? "out of the type's range" : "not a number";
+    const char* wrong = is_number(text) ? "out of the type's range" : "not a number";
     if (tab || enter) {
         typing.fresh = true;
         typing.selected = false;
@@ -229,28 +229,6 @@ namespace {
 
 ImU32 pack(ImVec4 color) { return ImGui::GetColorU32(color); }
 
-bool by_ratio(const SliderRange& range) {
-    return range.logarithmic && range.min > 0 && range.max > range.min && std::isfinite(range.max / range.min);
-}
-
-// The intermediate results cannot overflow, for any range.
-double fraction_of(double value, const SliderRange& range) {
-    if (by_ratio(range)) return std::clamp(std::log(value / range.min) / std::log(range.max / range.min), 0.0, 1.0);
-    const double half = range.max / 2 - range.min / 2;
-    if (!(half > 0) || !std::isfinite(value)) return 0;
-    return std::clamp((value / 2 - range.min / 2) / half, 0.0, 1.0);
-}
-
-double value_at(double fraction, const SliderRange& range, bool fine) {
-    if (fraction <= 0) return range.min;
-    if (fraction >= 1) return range.max;
-    const double value = by_ratio(range) ? range.min * std::pow(range.max / range.min, fraction)
-                                         : range.min * (1 - fraction) + range.max * fraction;
-    if (is_whole(range.type)) return std::round(value);
-    if (by_ratio(range)) return tidy_relative(value, range.min, range.max, fine);
-    return tidy(std::clamp(value, range.min, range.max), range.min, range.max, fine);
-}
-
 // Returns the value that the mouse has dragged the knob to: under the pointer, or relative to where the drag began.
 double dragged_to(const ImRect& box, double value, const SliderRange& range, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
@@ -286,14 +264,6 @@ void draw_slider(const ImRect& box, ImGuiID id, bool hovered, double fraction) {
     const float reach = std::round(box.GetHeight() * .38F);
     list.AddRectFilled({knob - grab, middle - reach}, {knob + grab, middle + reach},
                        pack(held || hovered ? colors.accent_pressed : colors.accent), grab);
-}
-
-// Returns the value that the keyboard moves the knob to: by a hundredth of the range for a step, whole numbers by one.
-double stepped(double value, double steps, const SliderRange& range) {
-    if (steps == 0 || !(range.min < range.max)) return value;
-    if (!is_whole(range.type)) return value_at(fraction_of(value, range) + steps / 100, range, std::abs(steps) < 1);
-    const double coarse = std::abs(steps) >= 10 ? std::round((range.max - range.min) / 10) : 1;
-    return std::clamp(value + std::copysign(std::max(1., coarse), steps), range.min, range.max);
 }
 
 // The number beside the track looks like a field, because a press edits it. Returns true if it was pressed.

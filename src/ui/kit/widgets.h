@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "src/plan/values/controls.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/text.h"
 
 namespace snell::ui {
@@ -59,11 +60,8 @@ void show_opened();
 // Draws the title of a tab. Returns true if the user chose it.
 bool tab(const char* title, bool chosen, Layout& layout, const char* name);
 
-struct SliderRange {
-    double min = 0, max = 1;
-    ValueType type = ValueType::float_;
-    bool logarithmic = false;  // equal distances are equal ratios; needs min > 0
-    bool reset = false;        // set by slider(): the user asked for the initial value
+struct SliderRange : Track {
+    bool reset = false;  // set by slider(): the user asked for the initial value
 };
 
 // State of the slider that was pressed last. `before` is its value then: a double click moves the knob before it opens

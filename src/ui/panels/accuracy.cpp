@@ -11,8 +11,8 @@
 
 #include "parser/text/ranges.h"
 #include "src/content/image/reduced.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/state.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "src/ui/kit/numbers.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"

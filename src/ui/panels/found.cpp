@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/panels.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/ui/kit/numbers.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/panels/panels.h"
 

@@ -12,9 +12,9 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/plan/values/declared.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/panels.h"
@@ -104,12 +104,6 @@ void dot_of(Control& control, const Section& section) {
     if (changed) section.layout.note(control.name, "dot");
 }
 
-void set_period(Animated& motion, double period, double time) {
-    const double cycles = (time - motion.start) / motion.period;
-    motion.period = std::clamp(period, .1, 1e4);
-    motion.start = time - cycles * motion.period;
-}
-
 void animate_rows(Control& control, std::size_t component, const Section& section) {
     Memory& memory = section.memory;
     Animated* motion = motion_of(control, component, memory);
@@ -168,7 +162,7 @@ void range_tip(const Control& control, std::size_t component, const Section& sec
 }
 
 void track(Control& control, std::size_t component, const Section& section) {
-    SliderRange range{control.min, control.max, control.type, is_logarithmic(control, section)};
+    SliderRange range{{control.min, control.max, control.type, is_logarithmic(control, section)}};
     const bool changed = slider("##value", control.value[component], range, control.initial[component],
                                 section.memory.slider, section.number_width);
     note_element(control, component, section);

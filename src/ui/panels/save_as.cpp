@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "parser/text/words.h"
+#include "src/plan/values/numbers.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/state.h"

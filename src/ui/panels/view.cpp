@@ -99,7 +99,7 @@ void background_row(const Scene& scene, View& view, Memory& memory, Layout& layo
     const double initial =
         std::clamp(std::max({scene.background[0], scene.background[1], scene.background[2]}), 0., 1.);
     double value = view.background.value_or(initial);
-    SliderRange range{0, 1};
+    SliderRange range{{0, 1}};
     if (slider("##background", value, range, initial, memory.slider)) {
         view.background = std::clamp(value, 0., 1.);
         if (value == initial) view.background.reset();
@@ -163,7 +163,7 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
     layout.note("time");
     follow(4 * ImGui::GetFontSize());
     double within = clock.time - std::floor(clock.time / period) * period;
-    SliderRange range{0, period};
+    SliderRange range{{0, period}};
     if (slider("##scrub", within, range, within, memory.slider)) {
         clock.paused = true;
         clock.time = within;

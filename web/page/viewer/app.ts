@@ -15,7 +15,7 @@ import { makeHelp, makePictureDialog } from './dialogs.ts';
 import { makeDivider } from './divider.ts';
 import { ask } from '../dialog.ts';
 import { button, canvasOf, el, painted, stored } from '../dom.ts';
-import { rangeText, readFragment, type Settings } from './fragment.ts';
+import { readFragment, type Settings } from './fragment.ts';
 import { listen } from './gestures.ts';
 import { listenForKeys } from './keys.ts';
 import { makeLayout } from './layout.ts';
@@ -221,19 +221,19 @@ export class Page {
         const { session } = this;
         const { engine } = session;
         listen(this.canvas, {
-            turn: (dx, dy, gesture, begins) => session.changeView(() => engine.turn(dx, dy, begins), gesture),
+            turn: (dx, dy, gesture, begins) => session.change(() => engine.turn(dx, dy, begins), gesture),
             move: (dx, dy, gesture, toward) => {
                 const { clientWidth, clientHeight } = this.canvas;
-                session.changeView(() => engine.move(dx, dy, clientWidth, clientHeight, toward), gesture);
+                session.change(() => engine.move(dx, dy, clientWidth, clientHeight, toward), gesture);
             },
-            zoom: (factor, gesture) => session.changeView(() => engine.zoom(factor), gesture),
+            zoom: (factor, gesture) => session.change(() => engine.zoom(factor), gesture),
             reset: () => this.resetView(),
             pointed: (x, y) => this.pointed(x, y),
-            end: () => session.history.end(),
+            end: () => session.end(),
         });
         listenForKeys({
-            undo: () => session.undo(),
-            redo: () => session.redo(),
+            undo: () => session.go(false),
+            redo: () => session.go(true),
             resetView: () => this.resetView(),
             fullScreen: () => this.fullScreen(),
             time: () => this.timebar.toggle(),
@@ -333,7 +333,7 @@ export class Page {
     }
 
     private resetView(): void {
-        if (this.session?.shown) this.session.changeView(() => void this.session.engine.setView(''));
+        if (this.session?.shown) this.session.change(() => void this.session.engine.setView(''));
     }
 
     private fullScreen(): void {
@@ -350,9 +350,10 @@ export class Page {
     // What differs from the scene, for the address. Undefined: there is no scene, or one that a link cannot lead to.
     private settings(): Settings | undefined {
         if (this.lost || !this.session.shown || !this.addressed(this.host!.scene)) return undefined;
-        const { engine, shown } = this.session;
+        const { shown } = this.session;
+        const { values, rungs, ranges, view } = this.session.engine.state();
         const time = shown.animated && !this.clock.playing && this.clock.time > 0 ? this.clock.time : undefined;
-        return { values: engine.values(), rungs: engine.rungs(), ranges: this.session.ranges(), view: engine.view(), time, split: this.painter?.split };
+        return { values, rungs, ranges, view, time, split: this.painter?.split };
     }
 
     // The page's own scene, or that of a folder, which is open again after a reload.
@@ -363,7 +364,6 @@ export class Page {
     // The address is another one: a link to the same page was followed.
     private follow(): void {
         if (!this.session.shown) return;
-        this.session.history.clear();
         this.open(this.host!.scene, location.hash);
     }
 
@@ -375,15 +375,13 @@ export class Page {
         const given = /^#?$/.test(fragment) ? undefined : fragment.replace(/^#initial$/, '#');
         const { settings, refused } = readFragment(addressed ? (given ?? '') : '');
         const from = given === undefined && own ? { ...settings, values: own.values, rungs: own.rungs, view: own.view } : settings;
-        const { values, rungs, view } = from;
-        let opened = session.engine.open(scene, { values, rungs, view, fresh: true, lints: true });
-        const settles = values.length + rungs.length + view.length > 0;
+        const { values, rungs, ranges, view } = from;
+        let opened = session.engine.open(scene, { values, rungs, ranges, view, fresh: true, lints: true });
+        const settles = values.length + rungs.length + ranges.length + view.length > 0;
         if (settles && !opened.ok && !opened.shown) opened = session.engine.open(scene, { fresh: true, lints: true });
         const vain = settles && opened.shown ? opened.problems.filter(inVain) : [];
         this.accept({ ...opened, problems: opened.problems.filter((problem) => !vain.includes(problem)) }, settings);
-        const ranges = opened.shown ? session.setRanges(settings.ranges) : [];
-        if (settings.ranges.length > ranges.length) this.panel?.refresh();
-        const wrong = [...refused, ...ranges.map(rangeText), ...vain.map(({ message }) => message)];
+        const wrong = [...refused, ...vain.map(({ message }) => message)];
         if (wrong.length > 0) this.say(complaint(wrong), 'address', longMessageSeconds);
     }
 
@@ -403,9 +401,9 @@ export class Page {
 
     // Time runs for sliders that move by themselves, too.
     private moved(): void {
-        const { motions, shown } = this.session;
+        const { periods, shown } = this.session;
         const animated = shown?.animated ?? false;
-        if (motions.length > 0) this.clock.playing = true;
+        if (periods.length > 0) this.clock.playing = true;
         else if (!animated) this.clock.playing = false;
         this.openTime();
         this.painter?.request();
@@ -413,9 +411,9 @@ export class Page {
     }
 
     private openTime(): void {
-        const { motions, shown } = this.session;
-        const period = shown?.animated ? shown.period : Math.max(0, ...motions.map((motion) => motion.period));
-        this.timebar.open(shown?.animated || motions.length > 0, period);
+        const { periods, shown } = this.session;
+        const period = shown?.animated ? shown.period : Math.max(0, ...periods);
+        this.timebar.open(shown?.animated || periods.length > 0, period);
     }
 
     private failOpening({ problems }: Opened): void {

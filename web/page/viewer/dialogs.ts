@@ -2,7 +2,6 @@
 import type { Engine, Frame } from '../engine.ts';
 import { makeDialog, showFromTop } from '../dialog.ts';
 import { button, canvasOf, download, el } from '../dom.ts';
-import { evaluated } from './numbers.ts';
 
 export const limits = { side: 8192, pixels: 32_000_000, samples: 64 };
 
@@ -39,7 +38,7 @@ export function makePictureDialog({ engine, frame, name, say }: PictureOptions):
     samples.input.value = '16';
     const message = el('p', { class: 'error', role: 'alert' });
     const take = async () => {
-        const [w, h, s] = [width, height, samples].map(({ input }) => evaluated(input.value) ?? NaN) as [number, number, number];
+        const [w, h, s] = [width, height, samples].map(({ input }) => engine.typed(input.value)) as [number, number, number];
         message.textContent = sizeProblem(w, h, s);
         if (message.textContent !== '') return;
         message.textContent = 'Drawing…';

@@ -1,13 +1,13 @@
 // A number that a click edits.
 import { el } from '../dom.ts';
-import { typed, whyNot } from './numbers.ts';
 
 // Shows a message for a while; "" ends the one about the same thing.
 export type Say = (message: string, about?: unknown) => void;
 
 export interface FieldOptions {
     label: string;
-    type: string;
+    // NaN if the text is not a number, infinity if it does not fit.
+    typed(text: string): number;
     // As it is shown, and as it is typed.
     shown(): string;
     exact(): string;
@@ -23,7 +23,7 @@ export interface Field {
 
 // Enter and leaving apply the text; Escape restores the value.
 export function makeField(options: FieldOptions): Field {
-    const { label, type, shown, exact, apply, say } = options;
+    const { label, typed, shown, exact, apply, say } = options;
     const element = el('input', { type: 'text', inputmode: 'decimal', class: 'number', 'aria-label': label, autocomplete: 'off', spellcheck: 'false' });
     let before: string | undefined;
 
@@ -41,9 +41,9 @@ export function makeField(options: FieldOptions): Field {
         if (before === undefined) return true;
         // Leaving what was not edited says nothing new.
         if (element.value === before && !entered) return true;
-        const value = typed(element.value, type);
-        if (value === undefined) {
-            say(`'${element.value}' is not a number${whyNot(element.value)}.`);
+        const value = typed(element.value);
+        if (!Number.isFinite(value)) {
+            say(`'${element.value}' is not a number${Number.isNaN(value) ? '' : ' that fits'}.`);
             return false;
         }
         say('');

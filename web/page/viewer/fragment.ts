@@ -26,11 +26,6 @@ function assigned(text: string): string {
     return encoded(text).replaceAll('%3D', '=');
 }
 
-// A range as an address has it, for people.
-export function rangeText(assignment: string): string {
-    return assignment.replace('=', `${rangeEnd}=`);
-}
-
 function ranged(assignment: string): string {
     const at = assignment.indexOf('=');
     return `${encoded(assignment.slice(0, at))}${rangeEnd}=${encoded(assignment.slice(at + 1))}`;

@@ -2,10 +2,8 @@
 import type { Control } from '../engine.ts';
 import { el } from '../dom.ts';
 import { makeField, type Say } from './field.ts';
-import { shown } from './numbers.ts';
-import { isIntegral, nameOf, type Session } from './session.ts';
+import { nameOf, type Session } from './session.ts';
 import { makeSliderMenu } from './slider_menu.ts';
-import { fractionOf, stepped, stepsOf, valueAt, type Track } from './steps.ts';
 
 export interface Row {
     element: HTMLElement;
@@ -27,48 +25,53 @@ export function makeDot(name: string, reset: () => void): { element: HTMLElement
 }
 
 // With Alt, the knob moves by a twentieth of the way, from where it is.
-function dragFine(input: HTMLInputElement, value: () => number, track: () => Track, set: (value: number) => void): void {
+function dragFine(input: HTMLInputElement, fraction: () => number, slide: (fraction: number) => void): void {
     let at: { x: number; fraction: number } | undefined;
     input.addEventListener('pointerdown', (event) => {
         if (!event.altKey || event.button !== 0) return;
         event.preventDefault();
         input.focus();
         input.setPointerCapture(event.pointerId);
-        at = { x: event.clientX, fraction: fractionOf(value(), track()) };
+        at = { x: event.clientX, fraction: fraction() };
     });
     input.addEventListener('pointermove', (event) => {
         if (!at) return;
         const moved = (event.clientX - at.x) / Math.max(input.clientWidth, 1);
-        set(valueAt(at.fraction + moved / 20, track(), true));
+        slide(at.fraction + moved / 20);
     });
     for (const type of ['pointerup', 'pointercancel'])
         input.addEventListener(type, () => void (at = undefined));
 }
 
+// How many steps a key makes; 0: it is none of the track's keys.
+function stepsOf(key: string, shift: boolean): number {
+    const unit = shift ? 0.1 : 1;
+    const steps: Record<string, number> = { ArrowRight: unit, ArrowUp: unit, ArrowLeft: -unit, ArrowDown: -unit, PageUp: 10, PageDown: -10 };
+    return steps[key] ?? 0;
+}
+
 function makeTrack(session: Session, control: Control, component: number, type: () => void): Row {
-    const input = el('input', { type: 'range', 'aria-label': `${control.program} ${nameOf(control, component)}` });
+    // The element itself knows no logarithms.
+    const input = el('input', { type: 'range', min: 0, max: 1, step: 'any', 'aria-label': `${control.program} ${nameOf(control, component)}` });
+    const { engine } = session;
     // One object for each gesture: what it changes is one step of undo.
     let gesture = {};
     const end = () => {
         gesture = {};
-        session.history.end();
+        session.end();
     };
-    const set = (value: number) => void session.set(control, component, value, { gesture });
-    const reset = () => session.reset(control, component);
-    const track = () => session.trackOf(control);
-    dragFine(input, () => control.value[component]!, track, set);
-    // The element itself knows no logarithms.
-    const own = () => (track().logarithmic ? { min: 0, max: 1, integral: false } : track());
-    input.addEventListener('input', () => set(valueAt(fractionOf(input.valueAsNumber, own()), track())));
+    const slide = (fraction: number, fine = false) => session.change(() => engine.slide(control.index, component, fraction, fine), gesture);
+    dragFine(input, () => control.at[component]!, (fraction) => slide(fraction, true));
+    input.addEventListener('input', () => slide(input.valueAsNumber));
     input.addEventListener('change', end);
     input.addEventListener('keyup', end);
     input.addEventListener('pointerup', end);
     input.addEventListener('keydown', (event) => {
         if (event.ctrlKey || event.altKey || event.metaKey) return;
         const steps = stepsOf(event.key, event.shiftKey);
-        if (steps !== 0) set(stepped(control.value[component]!, steps, track()));
-        else if (event.key === 'Home') set(control.min);
-        else if (event.key === 'End') set(control.max);
+        if (steps !== 0) session.change(() => engine.step(control.index, component, steps), gesture);
+        else if (event.key === 'Home') slide(0);
+        else if (event.key === 'End') slide(1);
         else if (event.key === 'Enter') type();
         else return;
         event.preventDefault();
@@ -76,19 +79,15 @@ function makeTrack(session: Session, control: Control, component: number, type: 
     });
     input.addEventListener('contextmenu', (event) => {
         event.preventDefault();
-        reset();
+        session.reset(control, component);
     });
     input.addEventListener('dblclick', type);
     input.addEventListener('click', (event) => event.ctrlKey && type());
     const refresh = () => {
-        const { min, max } = control;
-        const value = control.value[component]!;
-        const fraction = fractionOf(value, track());
-        const scale = own();
-        const at = track().logarithmic ? fraction : value;
-        Object.assign(input, { min: String(scale.min), max: String(scale.max), step: scale.integral ? '1' : 'any', value: String(at) });
-        input.setAttribute('aria-valuetext', shown(value, min, max, isIntegral(control)));
-        input.style.setProperty('--at', `${100 * fraction}%`);
+        const at = control.at[component]!;
+        input.value = String(at);
+        input.setAttribute('aria-valuetext', control.shown[component]!);
+        input.style.setProperty('--at', `${100 * at}%`);
     };
     return { element: input, refresh };
 }
@@ -101,16 +100,14 @@ function short(text: string, value: number): string {
 export function makeSliderRow(session: Session, control: Control, component: number, sayAbout: Say, time: () => number): Row {
     const name = nameOf(control, component);
     const say = (message: string) => sayAbout(message, `${control.key}.${component}`);
-    const text = (value: number) => shown(value, control.min, control.max, isIntegral(control));
     const field = makeField({
         label: `${control.program} ${name}, number`,
-        type: control.type,
-        shown: () => short(text(control.value[component]!), control.value[component]!),
+        typed: (text) => session.engine.typed(text, control.index),
+        shown: () => short(control.shown[component]!, control.value[component]!),
         exact: () => String(control.value[component]!),
         apply: (value, entered) => {
-            const now = session.set(control, component, value, { widen: entered });
-            const why = control.fixed ? 'there are no pictures beyond its range' : 'press Enter after a number to widen the range';
-            if (now !== value) say(`${name} is ${text(now)}: ${why}.`);
+            session.change(() => session.engine.set(control.index, component, value, entered));
+            if (control.value[component] !== value) say(`${name} is ${control.shown[component]}: press Enter after a number to widen the range.`);
         },
         say,
     });
@@ -120,8 +117,8 @@ export function makeSliderRow(session: Session, control: Control, component: num
     const menu = makeSliderMenu(session, control, component, label, time);
     const element = el('div', { class: 'row slider' }, dot.element, menu, track.element, field.element);
     const refresh = () => {
-        label.title = `${name}: ${control.min} … ${control.max}\nscene's value: ${text(control.initial[component]!)}`;
-        element.classList.toggle('moves', session.motionOf(control, component) !== undefined);
+        label.title = `${name}: ${control.min} … ${control.max}\nscene's value: ${control.initialShown[component]}`;
+        element.classList.toggle('moves', control.periods[component]! > 0);
         dot.show(control.value[component] !== control.initial[component]);
         track.refresh();
         field.refresh();

@@ -3,9 +3,7 @@ import type { Control } from '../engine.ts';
 import { button, el } from '../dom.ts';
 import { makeField } from './field.ts';
 import { makeMenu } from './menu.ts';
-import { usualPeriod } from './motion.ts';
 import { nameOf, type Session } from './session.ts';
-import { canBeLogarithmic } from './steps.ts';
 
 function check(text: string, checked: boolean, change: (on: boolean) => void, disabled = false): HTMLElement {
     const box = el('input', { type: 'checkbox', disabled });
@@ -14,36 +12,33 @@ function check(text: string, checked: boolean, change: (on: boolean) => void, di
     return el('label', { class: 'check' }, box, text);
 }
 
+// In seconds.
+const usualPeriod = 4;
+
 // `time` is that of the scene, in seconds.
 export function makeSliderMenu(session: Session, control: Control, component: number, label: HTMLElement, time: () => number): HTMLElement {
-    const motion = () => session.motionOf(control, component);
+    const { engine } = session;
+    const period = () => control.periods[component]!;
+    const animate = (seconds: number) => session.change(() => engine.animate(control.index, component, seconds, time()));
     const fill = () => {
-        const period = makeField({
+        const field = makeField({
             label: 'Seconds of one period',
-            type: 'float',
-            shown: () => String(Number((motion()?.period ?? usualPeriod).toPrecision(4))),
-            exact: () => String(motion()?.period ?? usualPeriod),
-            apply: (seconds) => {
-                if (!motion()) session.animate(control, component, time());
-                session.slow(motion()!, seconds, time());
-            },
+            typed: (text) => engine.typed(text),
+            shown: () => String(Number((period() || usualPeriod).toPrecision(4))),
+            exact: () => String(period() || usualPeriod),
+            apply: (seconds) => animate(Math.max(seconds, 0.1)),
             say: () => undefined,
         });
-        const scale = (on: boolean) => {
-            if (on) session.logarithmic.add(control.key);
-            else session.logarithmic.delete(control.key);
-            session.rescaled();
-        };
-        const animate = (on: boolean) => (on ? session.animate(control, component, time()) : session.stop(control.key, component));
+        const scale = (on: boolean) => session.change(() => engine.scale(control.index, on));
         const reset = button('Reset', () => {
             session.reset(control, component);
             menu.close();
         });
         return [
             reset,
-            check('Logarithmic', session.logarithmic.has(control.key), scale, !canBeLogarithmic(control)),
-            check('Animate', motion() !== undefined, animate),
-            el('label', { class: 'field' }, 'Period, s', period.element),
+            check('Logarithmic', control.logarithmic, scale, !control.canBeLogarithmic),
+            check('Animate', period() > 0, (on) => animate(on ? usualPeriod : 0)),
+            el('label', { class: 'field' }, 'Period, s', field.element),
         ];
     };
     const menu = makeMenu(label, { class: 'options', 'aria-label': `Options of ${nameOf(control, component)}` }, fill);

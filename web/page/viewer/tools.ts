@@ -24,8 +24,8 @@ export interface Tools {
 }
 
 export function makeTools(session: Session, actions: ToolActions): Tools {
-    const undo = button('Undo', () => session.undo(), { title: 'Ctrl+Z' });
-    const redo = button('Redo', () => session.redo(), { title: 'Ctrl+Y' });
+    const undo = button('Undo', () => session.go(false), { title: 'Ctrl+Z' });
+    const redo = button('Redo', () => session.go(true), { title: 'Ctrl+Y' });
     const resetAll = button('Reset all', () => session.resetAll());
     const resetView = button('Reset view', actions.resetView, { title: 'R' });
     const save = [
@@ -41,8 +41,8 @@ export function makeTools(session: Session, actions: ToolActions): Tools {
     const live = [button('Save', actions.save, { title: 'Ctrl+S', class: 'of-folder' }), button('Scenes…', actions.scenes, { class: 'of-scenes' })];
     const help = button('?', actions.help, { 'aria-label': 'Help', title: 'Help' });
     const refresh = () => {
-        undo.disabled = !session.history.canUndo && session.motions.length === 0;
-        redo.disabled = !session.history.canRedo;
+        undo.disabled = !session.state.canUndo;
+        redo.disabled = !session.state.canRedo;
         resetAll.disabled = !session.shown || !session.anyChanged;
     };
     refresh();

@@ -2,13 +2,12 @@
 import type { Control } from '../engine.ts';
 import { el } from '../dom.ts';
 import { makeField, type Say } from './field.ts';
-import { tidyColor } from './numbers.ts';
 import { makeDot, makeName, type Row } from './row.ts';
 import { isChanged, type Session } from './session.ts';
 
 export function makeCheckRow(session: Session, control: Control): Row {
     const box = el('input', { type: 'checkbox' });
-    box.addEventListener('change', () => session.setAll(control, [box.checked ? 1 : 0]));
+    box.addEventListener('change', () => session.change(() => session.engine.set(control.index, 0, Number(box.checked))));
     const dot = makeDot(control.name, () => session.reset(control));
     const label = el('label', { class: 'check' }, box, makeName(control.name, control.key));
     label.addEventListener('contextmenu', (event) => {
@@ -23,36 +22,29 @@ export function makeCheckRow(session: Session, control: Control): Row {
     return { element: el('div', { class: 'row' }, dot.element, label), refresh };
 }
 
-function byteOf(value: number): number {
-    return Math.round(255 * Math.min(Math.max(value, 0), 1));
-}
-
 // "#rrggbb", as the browser's picker has it.
-export function hexOf(value: readonly number[]): string {
-    return `#${value.slice(0, 3).map((part) => byteOf(part).toString(16).padStart(2, '0')).join('')}`;
-}
-
-// Only components that were picked change: the others keep the precision that a picker lacks.
-export function picked(hex: string, value: readonly number[]): number[] {
-    const bytes = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
-    return value.map((part, i) => (i < 3 && bytes[i] !== byteOf(part) ? tidyColor(bytes[i]! / 255) : part));
+function hexOf(value: readonly number[]): string {
+    const byte = (part: number) => Math.round(255 * Math.min(Math.max(part, 0), 1));
+    return `#${value.slice(0, 3).map((part) => byte(part).toString(16).padStart(2, '0')).join('')}`;
 }
 
 export function makeColorRow(session: Session, control: Control, say: Say): Row {
     const swatch = el('input', { type: 'color', 'aria-label': `${control.program} ${control.name}` });
     let gesture = {};
-    swatch.addEventListener('input', () => session.setAll(control, picked(swatch.value, control.value), gesture));
+    const pick = (hex: string) =>
+        [1, 3, 5].forEach((at, i) => session.engine.pick(control.index, i, parseInt(hex.slice(at, at + 2), 16)));
+    swatch.addEventListener('input', () => session.change(() => pick(swatch.value), gesture));
     swatch.addEventListener('change', () => {
         gesture = {};
-        session.history.end();
+        session.end();
     });
     const fields = control.value.map((_, i) =>
         makeField({
             label: `${control.program} ${control.name}, ${['red', 'green', 'blue', 'alpha'][i]}`,
-            type: control.type,
+            typed: (text) => session.engine.typed(text, control.index),
             shown: () => String(Number(control.value[i]!.toPrecision(4))),
             exact: () => String(control.value[i]!),
-            apply: (value) => void session.set(control, i, value),
+            apply: (value) => session.change(() => session.engine.set(control.index, i, value)),
             say: (message) => say(message, `${control.key}.${i}`),
         }),
     );

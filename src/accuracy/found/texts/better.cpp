@@ -359,12 +359,11 @@ private:
 
 namespace snell::accuracy {
 
-void add_better_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    const texts::Shaders shaders = texts::shaders(plan, files, sources);
-    texts::Collector to(files, sources, changes, texts::most_better_changes);
+void add_better_changes(const texts::Reading& reading, std::vector<Change>& changes) {
+    texts::Collector to(reading.files, reading.sources, changes, texts::most_better_changes);
     std::vector<Span> eye_space;
-    texts::LintFixes(plan, sources, shaders, to, eye_space).run(files);
-    texts::add_physics(plan, shaders, eye_space, to);
+    texts::LintFixes(reading.plan, reading.sources, reading.shaders, to, eye_space).run(reading.files);
+    texts::add_physics(reading.plan, reading.shaders, eye_space, to);
 }
 
 }  // namespace snell::accuracy

@@ -14,13 +14,13 @@ constexpr std::size_t most_list_statements = 2000;  // of one list of vertices
 
 class Omissions {
 public:
-    Omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
-        : plan_(plan),
-          scene_(plan.scene),
-          files_(files),
-          shaders_(shaders(plan, files, sources)),
-          all_(statements(files, sources)),
-          to_(files, sources, changes, most_omissions) {}
+    Omissions(const Reading& reading, std::vector<Change>& changes)
+        : plan_(reading.plan),
+          scene_(reading.plan.scene),
+          files_(reading.files),
+          shaders_(reading.shaders),
+          all_(statements(reading.files, reading.sources)),
+          to_(reading.files, reading.sources, changes, most_omissions) {}
 
     void run() {
         for (const Draw& draw : scene_.draws)
@@ -197,7 +197,7 @@ private:
     const Plan& plan_;
     const Scene& scene_;
     const Files& files_;
-    Shaders shaders_;
+    const Shaders& shaders_;
     std::vector<Statement> all_;
     Collector to_;
 };
@@ -208,8 +208,8 @@ private:
 
 namespace snell::accuracy {
 
-void add_omissions(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    texts::Omissions(plan, files, sources, changes).run();
+void add_omissions(const texts::Reading& reading, std::vector<Change>& changes) {
+    texts::Omissions(reading, changes).run();
 }
 
 }  // namespace snell::accuracy

@@ -69,14 +69,14 @@ bool linear(const glsl::Unit& unit) {
 
 class SceneChanges {
 public:
-    SceneChanges(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes)
-        : plan_(plan),
-          scene_(plan.scene),
-          files_(files),
-          shaders_(shaders(plan, files, sources)),
-          sources_(sources),
-          all_(statements(files, sources)),
-          to_(files, sources, changes, most_scene_changes) {}
+    SceneChanges(const Reading& reading, std::vector<Change>& changes)
+        : plan_(reading.plan),
+          scene_(reading.plan.scene),
+          files_(reading.files),
+          shaders_(reading.shaders),
+          sources_(reading.sources),
+          all_(statements(reading.files, reading.sources)),
+          to_(reading.files, reading.sources, changes, most_scene_changes) {}
 
     void run() {
         for (const Draw& draw : scene_.draws)
@@ -346,7 +346,7 @@ private:
     const Plan& plan_;
     const Scene& scene_;
     const Files& files_;
-    Shaders shaders_;
+    const Shaders& shaders_;
     const Sources& sources_;
     std::vector<Statement> all_;
     Collector to_;
@@ -358,8 +358,8 @@ private:
 
 namespace snell::accuracy {
 
-void add_scene_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    texts::SceneChanges(plan, files, sources, changes).run();
+void add_scene_changes(const texts::Reading& reading, std::vector<Change>& changes) {
+    texts::SceneChanges(reading, changes).run();
 }
 
 }  // namespace snell::accuracy

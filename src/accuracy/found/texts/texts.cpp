@@ -155,8 +155,8 @@ std::string_view line_end(std::string_view text) { return text.find("\r\n") == s
 
 // ---- shaders ------------------------------------------------------------------------------------------------
 
-Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
-    Shaders all;
+Reading::Reading(const Plan& plan_read, Files& its_files, Sources& its_sources)
+    : plan(plan_read), files(its_files), sources(its_sources) {
     std::map<std::string, std::size_t> known;  // by text, stage and macros
     for (const PlannedProgram& planned : plan.programs) {
         if (!planned.readable || planned.stages.empty()) continue;
@@ -173,9 +173,9 @@ Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
         for (const glsl::StageInput& stage : planned.stages) {
             const std::string key =
                 std::to_string(static_cast<int>(stage.stage)) + std::string(sources.name(stage.file)) + macros;
-            const auto [at, fresh] = known.emplace(key, all.size());
+            const auto [at, fresh] = known.emplace(key, shaders.size());
             if (fresh) {
-                Shader& shader = all.emplace_back();
+                Shader& shader = shaders.emplace_back();
                 glsl::Unit& unit = shader.unit;
                 unit.stage = stage.stage;
                 unit.reference = stage.reference;
@@ -185,10 +185,9 @@ Shaders shaders(const Plan& plan, Files& files, Sources& sources) {
                 glsl::Parser(unit, options.target, unheard).run();
                 shader.bodies = bodies(unit);
             }
-            all[at->second].programs.push_back(planned.program);
+            shaders[at->second].programs.push_back(planned.program);
         }
     }
-    return all;
 }
 
 std::optional<Span> span_of(const glsl::Unit& unit, const Collector& to, int first, int last) {
@@ -267,3 +266,57 @@ std::optional<Edit> included(const Shader& shader, const Collector& to, std::str
 }
 
 }  // namespace snell::accuracy::texts
+
+namespace snell::accuracy {
+
+namespace {
+
+// What the edits do to the texts, however they are written: `x += 1.;` → `;` is `x += 1.` → nothing.
+std::string effect(const Change& change, const Sources& sources) {
+    std::string all = change.probes.empty() ? "" : "a number that is not known\n";
+    for (const Edit& edit : change.edits) {
+        std::string_view before = sources.text(edit.span.file).substr(edit.span.begin, edit.span.end - edit.span.begin),
+                         after = edit.text;
+        // A semicolon alone does nothing.
+        if (before.ends_with(';') && (after.empty() || after == ";")) before.remove_suffix(1), after = {};
+        all.append(sources.name(edit.span.file)).append("\n" + std::to_string(edit.span.begin) + "\n");
+        all.append(std::to_string(before.size()) + "\n").append(after).append("\n");
+    }
+    return all;
+}
+
+// Of changes with the same effect, the first that makes the picture cheaper stays, or else the first.
+void drop_repeated(std::vector<Change>& changes, const Sources& sources) {
+    std::map<std::string, const Change*> kept;
+    std::vector<std::string> effects;
+    for (const Change& change : changes) {
+        const Change*& known = kept[effects.emplace_back(effect(change, sources))];
+        const auto cheaper = [](const Change& c) { return facts(c.kind).aim == Aim::cheaper; };
+        if (!known || (cheaper(change) && !cheaper(*known))) known = &change;
+    }
+    std::vector<Change> left;
+    for (std::size_t i = 0; i < changes.size(); ++i)
+        if (kept[effects[i]] == &changes[i]) left.push_back(changes[i]);
+    changes = std::move(left);
+}
+
+}  // namespace
+
+std::vector<Change> find_changes(const Plan& plan, Files& files, Sources& sources) {
+    std::vector<Change> changes;
+    const texts::Reading reading(plan, files, sources);
+    add_scene_changes(reading, changes);
+    add_better_changes(reading, changes);
+    add_shader_changes(plan, files, sources, changes);
+    add_omissions(reading, changes);
+    drop_repeated(changes, sources);
+    // By names: the numbers of texts depend on what was compiled before.
+    const auto key = [&](const Change& change) {
+        const Span& at = change.where;
+        return std::tuple(at.file == 0 ? std::string_view() : sources.name(at.file), at.begin, at.end, change.kind);
+    };
+    std::stable_sort(changes.begin(), changes.end(), [&](const Change& a, const Change& b) { return key(a) < key(b); });
+    return changes;
+}
+
+}  // namespace snell::accuracy

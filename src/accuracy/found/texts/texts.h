@@ -144,8 +144,15 @@ struct Shader {
 };
 // A deque, because a unit refers to its texts and its tree.
 using Shaders = std::deque<Shader>;
-// The stages of all programs, equal ones once. `sources` gets the texts of included shaders.
-Shaders shaders(const Plan& plan, Files& files, Sources& sources);
+// A scene with the stages of all its programs, equal ones once. `sources` gets the texts of included shaders.
+struct Reading {
+    Reading(const Plan& plan, Files& files, Sources& sources);
+
+    const Plan& plan;
+    Files& files;
+    Sources& sources;
+    Shaders shaders;
+};
 
 // The function around the token; null if there is none.
 const Body* body_around(const Shader& shader, int token);
@@ -177,3 +184,12 @@ void for_each(const Tree& tree, const Each& each) {
 }
 
 }  // namespace snell::accuracy::texts
+
+namespace snell::accuracy {
+
+// With add_shader_changes the parts of find_changes.
+void add_scene_changes(const texts::Reading& reading, std::vector<Change>& changes);
+void add_better_changes(const texts::Reading& reading, std::vector<Change>& changes);
+void add_omissions(const texts::Reading& reading, std::vector<Change>& changes);
+
+}  // namespace snell::accuracy

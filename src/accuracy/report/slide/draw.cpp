@@ -21,14 +21,9 @@ struct CairoModule {
 
 CairoModule open_cairo() {
     CairoModule result;
-    const content::LoadedModule module = content::load_module("snell_cairo.so", "Cairo");
-    result.error = module.error;
-    if (!module.error.empty()) return result;
-    decltype(&snell_cairo_api_version) version = nullptr;
-    const bool fits = module.find("snell_cairo_api_version", version) && version() == snell_cairo_version &&
-                      module.find("snell_cairo_draw", result.draw) &&
-                      module.find("snell_cairo_text_width", result.width);
-    if (!fits) result.error = module.path + " is from another version of snell";
+    result.error = content::open_functions("snell_cairo.so", "Cairo", "snell_cairo_api_version", snell_cairo_version,
+                                           std::pair{"snell_cairo_draw", &result.draw},
+                                           std::pair{"snell_cairo_text_width", &result.width});
     return result;
 }
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/costs.h"
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/slide/choose.h"
 #include "src/accuracy/report/slide/crops.h"
@@ -202,10 +203,7 @@ std::vector<SlideRung> rungs_of(const Shown& shown) {
 // The next of 1, 2 and 5 times a power of ten that is not below what all but the largest fiftieth of the values reach.
 double scale_for(std::vector<float> values) {
     constexpr double least = .01;
-    if (values.empty()) return least;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 49 / 50);
-    std::nth_element(values.begin(), at, values.end());
-    const double wanted = std::max(static_cast<double>(*at), least);
+    const double wanted = std::max(static_cast<double>(quantile(values, .98)), least);
     const double power = std::pow(10, std::floor(std::log10(wanted) + 1e-9));
     for (double step : {1., 2., 5.})
         if (wanted <= step * power * 1.0001) return step * power;

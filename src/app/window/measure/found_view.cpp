@@ -267,23 +267,17 @@ void FoundView::show(const std::string& name, Document& scene, std::string& noti
     facts_.shown.clear();
     if (name.empty() || facts_.stale) return;
     std::string error;
-    Access access = scene.files->access();
-    std::map<std::string, std::string> instead = texts(name, error);
-    if (access.instead) instead.insert(access.instead->begin(), access.instead->end());
-    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(instead));
-    RuntimeOptions options;
-    options.previous = &*scene.runtime;
+    const std::map<std::string, std::string> instead = texts(name, error);
     const auto choose = [&](const Scene& changed, Rungs& rungs) {
         carry_over(scene.controls.rungs, scene.scene(), rungs, changed);
     };
-    if (error.empty()) rung_ = open_document(path_, caps_, choose, nullptr, options, access);
-    if (rung_ && rung_->runtime && no_new_errors(scene.diagnostics, rung_->diagnostics)) {
+    if (error.empty()) rung_ = open_beside(scene, caps_, choose, instead, error);
+    if (rung_) {
         facts_.shown = name;
         ++showings_;
         return;
     }
-    rung_.reset();
-    notice = fmt::format("found rung {} cannot be drawn{}{}", name, error.empty() ? "" : ": ", error);
+    notice = fmt::format("found rung {} cannot be drawn: {}", name, error);
 }
 
 Document& FoundView::shown(Document& scene) {

@@ -6,6 +6,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
+#include "src/accuracy/rounds.h"
 #include "src/app/open/complain.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
@@ -15,14 +16,6 @@ namespace snell {
 namespace {
 
 constexpr std::size_t most_pass_times = 60;  // of a pass
-
-// The value that so much of all of them do not exceed; `values` are put in another order.
-float quantile(std::vector<float>& values, double part) {
-    if (values.empty()) return 0;
-    const auto at = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + .5);
-    std::nth_element(values.begin(), values.begin() + at, values.end());
-    return values[static_cast<std::size_t>(at)];
-}
 
 // The oldest go where there is no room; no allocation once there are as many as that.
 template <typename T>
@@ -41,14 +34,24 @@ std::string pass_name(const Pass& pass) {
 
 }  // namespace
 
+// Frames with a time of every draw, in rounds with frames without waits or queries between the draws.
 struct FrameCosts::Apart {
+    FrameCosts* costs = nullptr;  // these, and what is drawn, are of the current step
+    Document* document = nullptr;
+    const Stand* stand = nullptr;
     gl::Target target;
-    int round = 0;
-    Times times;
-    std::map<Key, double> sums;  // of one frame: a cube's faces draw the same again
-    std::vector<double> plain;   // of frames without waits or queries between the draws
-    double before = 0;
-    std::vector<Step> marked;
+    accuracy::ClockKind clock;
+    std::optional<accuracy::Rounds> rounds = {};
+    Times times = {};
+    double done = 0;
+
+    void draw(const std::function<void(const Step&)>* after = nullptr) const {
+        Frame frame{.time = stand->time, .view = stand->view, .controls = document->controls};
+        frame.after = after;
+        document->runtime->draw(frame, {target.framebuffer.get(), target.width, target.height});
+    }
+    std::map<Key, double> draw_apart();
+    void begin();
 };
 
 FrameCosts::FrameCosts(const gl::Caps& caps) : caps_(caps), clock_(caps.software) {}
@@ -113,8 +116,62 @@ void FrameCosts::end(double milliseconds) {
 void FrameCosts::measure() {
     if (!open_) return;
     apart_ = apart_ ? nullptr : std::make_unique<Apart>();
-    if (!apart_) return;
-    known_.clear();
+    if (apart_) known_.clear();
+}
+
+// Draws one frame. Without queries the time of a draw ends when the GPU is done with it, so it is waited for. A cube's
+// faces draw the same again.
+std::map<FrameCosts::Key, double> FrameCosts::Apart::draw_apart() {
+    std::map<Key, double> sums;
+    const auto add = [&](const Step& step, double time) {
+        sums[{step.pass, none}] += time;
+        if (step.draw != none) sums[{step.pass, step.draw}] += time;
+    };
+    const bool queries = clock == accuracy::ClockKind::gpu;
+    std::vector<Step> marked;
+    double before = 0;
+    const std::function<void(const Step&)> listen = [&](const Step& step) {
+        if (queries) {
+            costs->marks_.mark();
+            marked.push_back(step);
+            return;
+        }
+        gl::finish();
+        add(step, accuracy::wall_milliseconds() - before);
+        before = accuracy::wall_milliseconds();
+    };
+    gl::finish();
+    if (queries) costs->marks_.mark();
+    before = accuracy::wall_milliseconds();
+    draw(&listen);
+    if (queries) {
+        const auto found = costs->marks_.take();
+        for (std::size_t i = 0; i < found.size() && i < marked.size(); ++i) add(marked[i], found[i]);
+    }
+    return sums;
+}
+
+void FrameCosts::Apart::begin() {
+    clock = costs->by_gpu() ? accuracy::ClockKind::gpu : accuracy::ClockKind::wall;
+    const auto time = [this](double) {
+        accuracy::Times took = costs->clock_.of([this] { draw(); });
+        if (took.gpu <= 0) took.gpu = took.wall;
+        return took;
+    };
+    const auto time_apart = [this](double) {
+        for (const auto& [key, milliseconds] : draw_apart()) times[key].push_back(milliseconds);
+        return accuracy::Times();
+    };
+    const auto warm_up = [time](accuracy::ClockKind) { return std::optional(time(0).wall); };
+    const auto warm_up_apart = [this](accuracy::ClockKind) { return draw_apart(), std::optional(0.); };
+    const auto report = [this](std::string_view, double share) { done = share; };
+    rounds.emplace(std::vector<accuracy::Entrant>{{warm_up, time}, {warm_up_apart, time_apart}},
+                   accuracy::RoundOptions{.clock = clock,
+                                          .control = false,
+                                          .everyone = true,
+                                          .rounds = most_rounds,
+                                          .at_least = 0,
+                                          .report = report});
 }
 
 bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
@@ -126,46 +183,13 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
         apart_.reset();
         return true;
     }
-    const bool queries = by_gpu();
-    // Without queries the time of a draw ends when the GPU is done with it, so it is waited for.
-    const std::function<void(const Step&)> listen = [&](const Step& step) {
-        if (queries) {
-            marks_.mark();
-            apart.marked.push_back(step);
-            return;
-        }
-        gl::finish();
-        const double at = accuracy::wall_milliseconds();
-        apart.sums[{step.pass, none}] += at - apart.before;
-        if (step.draw != none) apart.sums[{step.pass, step.draw}] += at - apart.before;
-        apart.before = accuracy::wall_milliseconds();
-    };
-    apart.sums.clear();
-    apart.marked.clear();
-    gl::finish();
-    if (queries) marks_.mark();
-    apart.before = accuracy::wall_milliseconds();
-    Frame frame{.time = stand.time, .view = stand.view, .controls = document.controls};
-    const Surface surface{apart.target.framebuffer.get(), stand.width, stand.height};
-    frame.after = &listen;
-    document.runtime->draw(frame, surface);
-    if (queries) {
-        const auto times = marks_.take();
-        for (std::size_t i = 0; i < times.size() && i < apart.marked.size(); ++i) {
-            const Step& step = apart.marked[i];
-            apart.sums[{step.pass, none}] += times[i];
-            if (step.draw != none) apart.sums[{step.pass, step.draw}] += times[i];
-        }
-    }
-    frame.after = nullptr;
-    const accuracy::Times plain = clock_.of([&] { document.runtime->draw(frame, surface); });
-    if (apart.round++ > 0) {
-        for (const auto& [key, time] : apart.sums) apart.times[key].push_back(time);
-        apart.plain.push_back(queries && plain.gpu > 0 ? plain.gpu : plain.wall);
-    }
-    if (apart.round < rounds) return true;
+    apart.costs = this;
+    apart.document = &document;
+    apart.stand = &stand;
+    if (!apart.rounds) apart.begin();
+    if (apart.rounds->step()) return true;
     known_ = std::move(apart.times);
-    plain_ = accuracy::median(apart.plain);
+    plain_ = accuracy::median(accuracy::by_clock(apart.rounds->times(0), apart.clock));
     apart_.reset();
     return true;
 }
@@ -216,8 +240,8 @@ const ui::FrameCostFacts* FrameCosts::facts(const Document* document) {
     if (!open_) return nullptr;
     sorted_.assign(frames_.begin(), frames_.end());
     facts_.frames = frames_;
-    facts_.high = quantile(sorted_, .95);
-    facts_.median = quantile(sorted_, .5);
+    facts_.high = accuracy::quantile(sorted_, .95);
+    facts_.median = accuracy::quantile(sorted_, .5);
     if (live_.empty()) live_rows_.clear();
     if (document && !live_.empty()) live_rows_ = rows_of(live_, *document);
     if (known_.empty())
@@ -230,7 +254,7 @@ const ui::FrameCostFacts* FrameCosts::facts(const Document* document) {
     facts_.apart_clock = by_gpu() ? "GPU time, with a timer query at every draw"
                                   : "with a wait after every draw, which makes draws take longer";
     facts_.measuring.reset();
-    if (apart_) facts_.measuring = static_cast<double>(apart_->round) / rounds;
+    if (apart_) facts_.measuring = apart_->done;
     return &facts_;
 }
 

@@ -48,7 +48,7 @@ public:
 
 private:
     static constexpr std::size_t most_frames = 240;  // number of frames in the plot
-    static constexpr int rounds = 11;  // number of additional frames for each measurement; the first warms up
+    static constexpr int most_rounds = 10;           // of additional frames
 
     using Key = std::pair<Index, Index>;  // pass and draw; `none` as the draw: the whole pass
     using Times = std::map<Key, std::vector<double>>;

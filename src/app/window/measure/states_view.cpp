@@ -58,24 +58,13 @@ void StatesView::make(Half& half, Document& scene, const Earlier& earlier) {
     half.fixed |= half.state.written;
     half.error = half.state.error;
     if (!half.error.empty()) return;
-    RuntimeOptions options;
-    options.previous = &*scene.runtime;
-    Access access = scene.files->access();
-    if (texts) {
-        auto instead = texts->texts;
-        if (access.instead) instead.insert(access.instead->begin(), access.instead->end());
-        access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(instead));
-    }
     const auto choose = [&](const Scene& other, Rungs& rungs) {
         if (!half.fixed) carry_over(scene.controls.rungs, scene.scene(), rungs, other);
         apply_setup(half.setup, other, rungs);
         half.error = apply_state(half.state, other, rungs);
     };
-    half.document = open_document(path_, caps_, choose, nullptr, options, access);
-    if (half.document->runtime && no_new_errors(scene.diagnostics, half.document->diagnostics)) return;
-    const Diagnostic* const error = first_error(half.document->diagnostics);
-    half.error = error ? error->message : "it cannot be drawn";
-    half.document.reset();
+    half.document =
+        open_beside(scene, caps_, choose, texts ? texts->texts : std::map<std::string, std::string>{}, half.error);
 }
 
 // Sliders act on what follows the scene.

@@ -15,7 +15,7 @@ namespace snell {
 class StatesView {
 public:
     // The GL context of `caps` must be current during the object's whole life.
-    StatesView(std::string path, const gl::Caps& caps) : path_(std::move(path)), caps_(caps) {}
+    explicit StatesView(const gl::Caps& caps) : caps_(caps) {}
 
     // Call it before a picture is drawn: makes the documents of the states that memory.left and memory.right name, and
     // gives them the values that they have now. `revision` is that of the session.
@@ -51,7 +51,6 @@ private:
     void make(Half& half, Document& scene, const Earlier& earlier);
     static void set_values(Half& half, Document& scene);
 
-    std::string path_;
     gl::Caps caps_;
     bool active_ = false;
     std::array<Half, 2> halves_;

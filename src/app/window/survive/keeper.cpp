@@ -12,7 +12,7 @@
 #include "src/content/replace.h"
 #include "src/document/document.h"
 #include "src/plan/setup.h"
-#include "src/ui/kit/numbers.h"
+#include "src/plan/values/numbers.h"
 
 namespace snell {
 
@@ -32,7 +32,7 @@ std::string restore(int number, Document& document) {
     const Restored restored = restore_snapshot(number, document);
     if (!restored.error.empty()) return restored.error;
     const std::string lost =
-        restored.lost == 0 ? "" : fmt::format("; {} left out: not in this scene", ui::counted(restored.lost, "value"));
+        restored.lost == 0 ? "" : fmt::format("; {} left out: not in this scene", counted(restored.lost, "value"));
     return fmt::format("snapshot {}{}", number, lost);
 }
 
@@ -93,7 +93,7 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     }
     memory.failure = {};
     std::string& notice = memory.notice;
-    notice = saved.files.empty() ? "nothing to save" : ui::counted(saved.values, "value") + " saved to";
+    notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
     served.what = "save to";
     for (const SavedFile& file : saved.files) {
         notice += " " + short_name(file.path);

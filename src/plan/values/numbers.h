@@ -1,4 +1,4 @@
-// Formats and parses the numbers of sliders.
+// The numbers of sliders: as text, as a user types them, and where they are on their tracks.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include "src/plan/values/controls.h"
 
-namespace snell::ui {
+namespace snell {
 
 // Formats a value with as many decimals as a thousandth of the range needs, but at least the four that glman shows.
 std::string shown(double value, double min, double max, bool integral);
@@ -25,10 +25,26 @@ double tidy_color(double value);
 // Computes the value of a text such as "1/3", "2*pi", "-(1e3-5)" or "0,7", in doubles. Returns nullopt if it is not a
 // number, or not finite.
 std::optional<double> evaluated(std::string_view text);
+// Whether it is a number at all, if one beyond all doubles.
+bool is_number(std::string_view text);
 bool is_whole(ValueType type);
 // Returns the value that a control of that type can have, fractions rounded where it is whole; nullopt if it has none.
 std::optional<double> fitting(double value, ValueType type);
 // Does both for a text that a user typed.
 std::optional<double> typed(std::string_view text, ValueType type);
 
-}  // namespace snell::ui
+struct Track {
+    double min = 0, max = 1;
+    ValueType type = ValueType::float_;
+    bool logarithmic = false;  // equal distances are equal ratios; needs min > 0
+};
+
+// Where the value is on the track, from 0 to 1.
+double fraction_of(double value, const Track& track);
+// The value there, and as short as tidy() makes it, where it is not at an end.
+double exact_at(double fraction, const Track& track);
+double value_at(double fraction, const Track& track, bool fine);
+// The value that keys move to: by a hundredth of the range for a step, whole numbers by one.
+double stepped(double value, double steps, const Track& track);
+
+}  // namespace snell

@@ -20,15 +20,16 @@
 
 namespace snell {
 
-// What the user changes. `follow_rungs` makes the controls of the rungs that were chosen; `replaced` hears of each file
-// that has another text now. What moves is no part of it: the next frame sets it again.
+// What the user changes. `follow_rungs` makes the controls of the rungs that were chosen; `exchange` gives the files of
+// a step their texts of after it, if `forward`, or before it, and returns "" or the error. What moves is no part of it:
+// the next frame sets it again.
 struct UserState {
     const Scene& scene;
     Controls& controls;
     View& view;
     std::function<void()> follow_rungs;
     std::span<const Animated> moving = {};
-    std::function<void(const std::string& file)> replaced = {};
+    std::function<std::string(const std::vector<SavedFile>& files, bool forward)> exchange = {};
 };
 
 // The input that the state results from.

@@ -1,19 +1,17 @@
-#include "src/app/window/history.h"
+#include "src/document/history.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <set>
 #include <utility>
 
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
-#include "src/app/open/write_copy.h"
 #include "src/document/document.h"
 #include "src/plan/objects.h"
-#include "src/ui/kit/numbers.h"
+#include "src/plan/values/numbers.h"
 
 namespace snell {
 
@@ -58,15 +56,6 @@ const std::string& at(const Setup& setup, const std::string& key) {
     return found == setup.end() ? initial : found->second;
 }
 
-std::string exchange(const std::vector<SavedFile>& files, bool forward) {
-    if (forward) return write_saved(files);
-    std::string error = revert_saved(files);
-    std::error_code none;
-    for (const SavedFile& file : files)
-        if (error.empty() && file.before.empty()) std::filesystem::remove(file.path, none);
-    return error;
-}
-
 }  // namespace
 
 std::size_t History::Step::bytes() const {
@@ -99,7 +88,7 @@ void History::carry_changes(const std::vector<std::string>& from, const std::vec
         const char* const rest = moved ? std::from_chars(key.data() + object.size(), end, index).ptr : end;
         const Index found = moved ? carried(from, to, index) : 0;
         if (found != none)
-            step.changes[moved ? fmt::format("{}{}{}", object, found, std::string_view(rest, end)) : key] = change;
+            step.changes[moved ? fmt::format("{}{}{}", object, found, std::string(rest, end)) : key] = change;
     }
 }
 
@@ -281,11 +270,8 @@ std::string History::go(const UserState& state, bool forward) {
 std::string History::apply(const Step& step, const UserState& state, bool forward) {
     const char* const done = forward ? "redo: " : "undo: ";
     if (!step.files.empty()) {
-        const std::string error = exchange(step.files, forward);
-        if (!error.empty()) return (forward ? "not redone: " : "not undone: ") + error;
-        for (const SavedFile& file : step.files)
-            if (state.replaced) state.replaced(file.path);
-        return done + step.what;
+        const std::string error = state.exchange(step.files, forward);
+        return error.empty() ? done + step.what : (forward ? "not redone: " : "not undone: ") + error;
     }
     Setup wanted;
     for (const auto& [key, change] : step.changes) wanted[key] = change.at(forward);
@@ -324,7 +310,7 @@ std::string History::words_of(const Step& step, const Setup& before, const UserS
             said = fmt::format("{} {} \u2192 {}", name, numbers(item, from), numbers(item, to));
         }
     }
-    if (values.size() > 1) said = ui::counted(values.size(), "value");
+    if (values.size() > 1) said = counted(values.size(), "value");
     if (view.empty()) return said;
     return said + (said.empty() ? "" : ", ") + view_words(view, state.view);
 }

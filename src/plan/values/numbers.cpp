@@ -1,4 +1,4 @@
-#include "src/ui/kit/numbers.h"
+#include "src/plan/values/numbers.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "parser/text/number.h"
 #include "src/plan/values/declared.h"
 
-namespace snell::ui {
+namespace snell {
 
 namespace {
 
@@ -105,9 +105,10 @@ private:
         while (true) {
             if (take("*"))
                 value *= factor();
-            else if (take("/"))
-                value /= factor();
-            else
+            else if (take("/")) {
+                const double by = factor();
+                value = by == 0 ? failure : value / by;
+            } else
                 return value;
         }
     }
@@ -130,7 +131,10 @@ private:
         if (length == 0 || !((digits[0] >= '0' && digits[0] <= '9') || digits[0] == '.')) return failure;
         double value = 0;
         const auto [end, error] = read_real(digits.data(), digits.data() + length, value);
-        if (error != std::errc()) return failure;
+        if (error == std::errc::result_out_of_range)
+            value = std::numeric_limits<double>::infinity();
+        else if (error != std::errc())
+            return failure;
         rest_.remove_prefix(static_cast<std::size_t>(end - digits.data()));
         return value;
     }
@@ -139,6 +143,8 @@ private:
 };
 
 }  // namespace
+
+bool is_number(std::string_view text) { return !std::isnan(Evaluator(text).run()); }
 
 std::optional<double> evaluated(std::string_view text) {
     const double value = Evaluator(text).run();
@@ -159,4 +165,41 @@ std::optional<double> typed(std::string_view text, ValueType type) {
     return found ? fitting(*found, type) : std::nullopt;
 }
 
-}  // namespace snell::ui
+namespace {
+
+bool by_ratio(const Track& track) {
+    return track.logarithmic && track.min > 0 && track.max > track.min && std::isfinite(track.max / track.min);
+}
+
+}  // namespace
+
+// The intermediate results cannot overflow, for any range.
+double fraction_of(double value, const Track& track) {
+    if (by_ratio(track)) return std::clamp(std::log(value / track.min) / std::log(track.max / track.min), 0.0, 1.0);
+    const double half = track.max / 2 - track.min / 2;
+    if (!(half > 0) || !std::isfinite(value)) return 0;
+    return std::clamp((value / 2 - track.min / 2) / half, 0.0, 1.0);
+}
+
+double exact_at(double fraction, const Track& track) {
+    return by_ratio(track) ? track.min * std::pow(track.max / track.min, fraction)
+                           : track.min * (1 - fraction) + track.max * fraction;
+}
+
+double value_at(double fraction, const Track& track, bool fine) {
+    if (fraction <= 0) return track.min;
+    if (fraction >= 1) return track.max;
+    const double value = exact_at(fraction, track);
+    if (is_whole(track.type)) return std::round(value);
+    if (by_ratio(track)) return tidy_relative(value, track.min, track.max, fine);
+    return tidy(std::clamp(value, track.min, track.max), track.min, track.max, fine);
+}
+
+double stepped(double value, double steps, const Track& track) {
+    if (steps == 0 || !(track.min < track.max)) return value;
+    if (!is_whole(track.type)) return value_at(fraction_of(value, track) + steps / 100, track, std::abs(steps) < 1);
+    const double coarse = std::abs(steps) >= 10 ? std::round((track.max - track.min) / 10) : 1;
+    return std::clamp(value + std::copysign(std::max(1., coarse), steps), track.min, track.max);
+}
+
+}  // namespace snell
