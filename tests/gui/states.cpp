@@ -119,6 +119,62 @@ TEST_F(States, OfTheTextAreThereToo) {
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 
+TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const double slid = state()["controls"]["Paint.uRed"][0];
+    user("key s");
+    settle();
+    choose_state("right", "saved");
+    const auto right_is_blank = [&](const char* what) {
+        const Pixel near = scene_pixel(25, 20), far = scene_pixel(60, -150);
+        EXPECT_EQ(near, far) << what;
+        EXPECT_GT(near.red + near.green + near.blue, 600) << what << ": the panel's colour";
+        EXPECT_NEAR(scene_pixel(-25, 20).red, std::lround(255 * slid), 1) << what;
+    };
+    save("paint.frag", "this is no shader\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    expect({slid, .4, .5}, {.2, .4, .5}, "after a broken edit, both as they were");
+    EXPECT_TRUE(label(1).starts_with("as saved: 0.2, last good picture: ")) << label(1);
+    choose_state("right", "TINT=dark");
+    right_is_blank("a rung that could never be made");
+    EXPECT_TRUE(label(1).starts_with("TINT=dark: ")) << label(1);
+    std::filesystem::remove(file("paint.frag"));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; }));
+    settle();
+    right_is_blank("a deleted shader");
+    save("paint.frag", fragment("0."));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 4 && s["errors"] == 0; }));
+    settle();
+    expect({slid, .4, .5}, {slid, .4, 0}, "made as soon as it can be");
+    EXPECT_EQ(label(1), "dark");
+    click("accuracy.right");
+    click("right.settings");
+    user("type --delay 8 uReed=0.9");
+    user("key Return");
+    settle();
+    right_is_blank("a uniform that is not there");
+    EXPECT_TRUE(label(1).starts_with("uReed=0.9: there is no uniform 'uReed'")) << label(1);
+    // There is nothing to magnify.
+    const std::array<double, 4> area = state()["scene"];
+    user("mousemove " + std::to_string(static_cast<int>(area[2] / 2) + 30) + " " +
+         std::to_string(static_cast<int>(area[3] / 2) + 20) + " keydown i");
+    settle();
+    EXPECT_FALSE(state().contains("pixels") && state()["pixels"].contains("rgba")) << state()["pixels"];
+    user("keyup i");
+    // A snapshot that is stored again is shown as it is now.
+    user("key ctrl+1");
+    settle();
+    choose_state("right", "snapshot 1");
+    expect({slid, .4, .5}, {slid, .4, .5}, "a snapshot");
+    drag(on("Paint.uRed", slid), on("Paint.uRed", .5));
+    const double later = state()["controls"]["Paint.uRed"][0];
+    user("key ctrl+1");
+    settle();
+    expect({later, .4, .5}, {later, .4, .5}, "stored again");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
 // For README: the index of water beside that of diamond, while the view turns.
 class RoomStates : public Desk {
 protected:

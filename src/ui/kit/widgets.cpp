@@ -27,6 +27,13 @@ void follow(float width, float gap) {
     if (ImGui::GetItemRectMax().x + before + width <= end) ImGui::SameLine(0, gap);
 }
 
+bool has_room(const Rect& picture, float letters) { return picture.width >= letters * ImGui::GetFontSize(); }
+
+Rect with_room(Rect picture) {
+    if (!has_room(picture)) picture.width = ImGui::GetIO().DisplaySize.x - picture.x;
+    return picture;
+}
+
 void to_right(float width) {
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
 }
@@ -142,9 +149,18 @@ bool toggled_by_keys(bool open) {
 }
 
 bool switch_box(const char* text, bool& on) {
-    const bool clicked = ImGui::Checkbox(text, &on);
-    const bool switched = or_keys(clicked);
-    if (switched && !clicked) on = !on;
+    const std::string_view all(text), shown = all.substr(0, all.find("##"));
+    const bool wraps = check_box_width(shown) > ImGui::GetContentRegionAvail().x + .5F;
+    if (wraps) ImGui::BeginGroup();
+    bool box = on;
+    bool switched = or_keys(ImGui::Checkbox(wraps ? Text("##{}", all).c_str() : text, &box));
+    if (wraps) {
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        wrapped(shown);
+        switched |= ImGui::IsItemClicked();
+        ImGui::EndGroup();
+    }
+    if (switched) on = !on;
     return switched;
 }
 

@@ -12,6 +12,7 @@
 namespace snell::ui {
 
 class Layout;
+struct Rect;
 
 float width_of(std::string_view text);
 // The width of a button or a check box with this text.
@@ -39,6 +40,9 @@ void wrapped(std::string_view text, bool dim = false);
 void follow(float width, float gap = -1);
 // Moves the next item, `width` wide, to the right end of the line, where there is room.
 void to_right(float width);
+// Beside a panel of large letters the picture may be too narrow to read anything on it; then the whole window is used.
+bool has_room(const Rect& picture, float letters = 12);
+Rect with_room(Rect picture);
 // Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only
 // at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the
 // hidden part after ##.
@@ -98,7 +102,7 @@ bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::siz
 bool header(const char* title, int flags = 0);
 // Call after a tree node: the keys open and close it from the next frame on. Returns true if they did.
 bool toggled_by_keys(bool open);
-// Draws a check box. Returns true if it was switched.
+// Draws a check box, whose text is wrapped where the line is too short for it. Returns true if it was switched.
 bool switch_box(const char* text, bool& on);
 
 }  // namespace snell::ui

@@ -66,7 +66,8 @@ struct StateFacts {
     };
     struct Side {
         std::string name, label;  // what differs: "now: uIndex 1.33"
-        bool failed = false;      // the label says why it is not shown
+        bool failed = false;      // the label says why it is not shown, or only as it was
+        bool blank = false;       // there is no picture of it
     };
     std::vector<Choice> choices;
     std::array<Side, 2> sides;
@@ -106,10 +107,13 @@ std::string standing_text(const AccuracyPoint& point);  // such as "worth its ti
 // Draws error over cost, as wide as the panel.
 void accuracy_plot(const std::vector<AccuracyPoint>& points, AccuracyPlot& plot, Layout& layout);
 
-// Draws the names of the two states, by which others are chosen, with buttons that swap them and show the heat map.
-void state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, Layout& layout);
+// Draws the names of the two states, by which others are chosen, with buttons that swap them and show the heat map, and
+// returns where it begins. Without two states that is the end of the picture.
+float state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, Layout& layout);
 // Shows two states side by side, or one picture again.
 void switch_split(AccuracyMemory& memory);
+// Covers a half that there is no picture of, and says so.
+void blank_halves(const Facts& facts, const Rect& scene, const AccuracyMemory& memory);
 // Draws the divider over the picture and lets the user drag it. `scene` is in window coordinates.
 void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout);
 

@@ -69,7 +69,9 @@ struct Card {
 };
 
 float card_pad() { return ImGui::GetFontSize() * .4F; }
-float card_width() { return 10 * ImGui::GetFontSize(); }
+float card_width() {
+    return std::max(std::min(10 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x), 3 * ImGui::GetFontSize());
+}
 
 // The lines that a text below a card's title needs.
 int lines_of(std::string_view text) {
@@ -351,7 +353,7 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     ImGui::SetNextWindowSize(size);
     if (!ImGui::BeginPopupModal(title, nullptr,
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar))
+                                    ImGuiWindowFlags_NoSavedSettings))
         return;
     const Listing& listing = *facts.listing;
     pages(listing, memory, requests, layout);
@@ -362,14 +364,16 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     const bool two_rows =
         check_box_width("All files") + button_width("Cancel") + button_width("Open") + 2 * em > size.x - 2 * em;
     const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2);
+    // In the lowest windows all of it scrolls.
+    const float height = std::max(ImGui::GetContentRegionAvail().y - below, 7 * em);
     const float side = !browser.start && size.x > 40 * em ? 11.5F * em : 0;
     if (side > 0) {
-        ImGui::BeginChild("##places", {side, -below});
+        ImGui::BeginChild("##places", {side, height});
         places(facts, listing, memory, requests, layout);
         ImGui::EndChild();
         ImGui::SameLine();
     }
-    ImGui::BeginChild(browser.start ? "##start" : "##entries", {0, -below});
+    ImGui::BeginChild(browser.start ? "##start" : "##entries", {0, height});
     if (browser.start)
         start_page(facts, memory, requests, layout);
     else

@@ -184,8 +184,13 @@ std::string amount_of(const Paid& paid) {
 
 bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout) {
     const float right = ImGui::GetContentRegionMax().x;
-    const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s: %zu", name, count);
+    const Text title("{}: {}", name, count);
+    const float taken = amount.empty() ? 0 : width_of(amount) + ImGui::GetStyle().ItemSpacing.x;
+    const Text shown = shortened(
+        title.view(), std::max(1.0F, ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing() - taken));
+    const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s", shown.c_str());
     toggled_by_keys(open);
+    if (!(shown == title.view())) tip(title.view());
     layout.note("costs", name);
     right_text(amount, right);
     return open;

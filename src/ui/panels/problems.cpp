@@ -103,12 +103,6 @@ bool right_button(const char* text, Layout& layout, const char* name) {
     return button(text, layout, name);
 }
 
-// Beside a panel of large letters the picture may be too narrow to read anything on it; then the whole window is used.
-Rect with_room(Rect picture) {
-    if (picture.width < 12 * ImGui::GetFontSize()) picture.width = ImGui::GetIO().DisplaySize.x - picture.x;
-    return picture;
-}
-
 constexpr float most_problems = .9F;  // of the picture's height
 
 // The lower edge of the list, by which the user sizes it.
@@ -181,12 +175,15 @@ template <typename Buttons>
 void message_box(std::string_view text, const ImVec4& color, int index, const Rect& scene, float& bottom,
                  float buttons_width, const Buttons& buttons) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
+    if (bottom - scene.y < 4 * ImGui::GetFontSize()) return;  // there is room once those below it are answered
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
     const float width = std::min(scene.width - 2 * margin, 30 * ImGui::GetFontSize());
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
-    if (ImGui::Begin(fmt::format("##message{}", index).c_str(), nullptr, overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
+    const float room = bottom - scene.y - margin;
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(room, 1.0F)});
+    if (ImGui::Begin(fmt::format("##message{}", index).c_str(), nullptr,
+                     (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
         ImGui::PushTextWrapPos(width - buttons_width - 2 * margin);
         ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -258,9 +255,9 @@ void problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts,
     pop_dark();
 }
 
-void notices(const Facts& facts, const Rect& picture, Memory& memory, Requests& requests, Layout& layout) {
+void notices(const Facts& facts, const Rect& picture, float end, Memory& memory, Requests& requests, Layout& layout) {
     const Rect scene = with_room(picture);
-    float bottom = scene.y + scene.height - ImGui::GetStyle().WindowPadding.x;
+    float bottom = end - ImGui::GetStyle().WindowPadding.x;
     int index = 0;
     if (!memory.failure.text.empty() && failure_box(memory.failure, scene, bottom, requests, layout))
         memory.failure = {};

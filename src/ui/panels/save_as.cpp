@@ -129,6 +129,7 @@ constexpr double most_pictures = 1e6, largest = 1e6;
 void row(const char* name, const char* help = nullptr) {
     label(name);
     if (help) tip(help);
+    if (ImGui::GetContentRegionMax().x < 14 * ImGui::GetFontSize()) return ImGui::NewLine();
     ImGui::SameLine(std::min(7 * ImGui::GetFontSize(), .35F * ImGui::GetContentRegionMax().x));
 }
 
@@ -184,7 +185,7 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
         fmt::format("{}, the last at {:.6g} s", counted(static_cast<std::size_t>(count), "picture"),
                     picture.from + (count - 1) / picture.rate);
     follow(width_of(told));
-    ImGui::TextDisabled("%s", told.c_str());
+    wrapped(told, true);
 }
 
 void answers(PictureMemory& picture, bool moves, bool entered, Requests& requests, Layout& layout) {
