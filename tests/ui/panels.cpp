@@ -499,6 +499,7 @@ TEST_F(UiTest, TheListOfErrorsIsAStripThatIsSized) {
     facts_.revision = 1;
     const Rect list = place("problems.panel"), grip = place("problems.grip");
     EXPECT_LE(list.height, .31F * memory_.scene.height);
+    EXPECT_GE(grip.y, list.y + list.height) << "the last line is whole";
     EXPECT_EQ(gui_.fonts().mono->FontSize, gui_.fonts().text->FontSize) << "as large as all other letters";
     const double x = grip.x + grip.width / 2, y = grip.y + grip.height / 2;
     const View view = view_;

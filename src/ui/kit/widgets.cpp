@@ -54,12 +54,19 @@ bool pressing() {
 
 }  // namespace
 
-bool or_keys(bool clicked) {
+bool or_keys(bool clicked, unsigned id) {
     const ImRect box(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
-    const ImGuiID id = ImGui::GetItemID();
-    const bool focused = focusable(box, id, false);
+    if (id == 0) id = ImGui::GetItemID();
+    const bool focused = focusable(box, id, Focus::Kind::button);
     draw_focus(box, id);
     return (focused && pressing()) || clicked;
+}
+
+bool selectable(const char* text, bool chosen, int flags, const ImVec2& size) {
+    const bool clicked = ImGui::Selectable(text, chosen, flags, size), pressed = or_keys(clicked);
+    const bool popup = (ImGui::GetCurrentWindow()->Flags & ImGuiWindowFlags_Popup) != 0;
+    if (pressed && !clicked && popup && (flags & ImGuiSelectableFlags_DontClosePopups) == 0) ImGui::CloseCurrentPopup();
+    return pressed;
 }
 
 bool button(const char* text, Layout& layout, std::string_view name) {
@@ -228,7 +235,7 @@ bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::siz
     const Rect box{at.x, at.y, ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
     const ImRect whole(at, {box.x + box.width, box.y + box.height});
     const ImGuiID item = ImGui::GetID(id);
-    const bool focused = focusable(whole, item, false), toggled = focused && pressing();
+    const bool focused = focusable(whole, item, Focus::Kind::button), toggled = focused && pressing();
     if (focused && !ImGui::GetIO().WantTextInput) {
         if ((pressed(Key::down, true) || pressed(Key::right, true)) && chosen + 1 < count) ++chosen;
         if ((pressed(Key::up, true) || pressed(Key::left, true)) && chosen > 0) --chosen;

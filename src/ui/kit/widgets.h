@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <imgui.h>
+
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/text.h"
 
@@ -19,12 +21,15 @@ float width_of(std::string_view text);
 float button_width(std::string_view label);
 float check_box_width(std::string_view label);
 // Sets the tooltip of the last item, disabled or not. It appears when the pointer has rested there for half a second,
-// below the item or beside the panel, where it covers no neighbour.
-void tip(std::string_view text);
+// below the item or beside the panel, where it covers no neighbour; with `focused` without a pointer, too.
+void tip(std::string_view text, bool focused = false);
 // The same below the item's window, for items that stand above what is read with them.
 void tip_below_window(std::string_view text);
-// Adds the last item to the order of Tab. Returns true if it was clicked, or the keys press it.
-bool or_keys(bool clicked);
+// Adds the last item to the order of Tab, by an id of its own where it has none. Returns true if it was clicked, or the
+// keys press it.
+bool or_keys(bool clicked, unsigned id = 0);
+// Draws a row that can be chosen. Returns true if it was clicked, or the keys press it.
+bool selectable(const char* text, bool chosen = false, int flags = 0, const ImVec2& size = {0, 0});
 // Draws a button and records its place as `name`. Returns true if the user pressed it.
 bool button(const char* text, Layout& layout, std::string_view name);
 // Likewise, placed by follow().

@@ -11,6 +11,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/content/image/reduced.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
@@ -129,8 +130,7 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
         const bool known = point != facts.points.end();
         const bool reference = i + 1 == ladder.rungs.size();
         ImGui::TableNextColumn();
-        if (ImGui::Selectable(rung_text(ladder.rungs[i], reference).c_str(), i == chosen,
-                              ImGuiSelectableFlags_SpanAllColumns))
+        if (selectable(rung_text(ladder.rungs[i], reference).c_str(), i == chosen, ImGuiSelectableFlags_SpanAllColumns))
             chosen = i;
         layout.note("accuracy.rung", ladder.rungs[i]);
         if (known && ImGui::IsItemHovered()) tip(standing_text(*point));
@@ -191,12 +191,11 @@ void state_menu(const StateFacts& facts, const StateFacts::Side& side, bool left
                 Layout& layout) {
     std::string& name = left ? memory.left : memory.right;
     for (const StateFacts::Choice& choice : facts.choices) {
-        if (ImGui::Selectable(choice.text.c_str(), choice.name == side.name)) name = choice.name;
+        if (selectable(choice.text.c_str(), choice.name == side.name)) name = choice.name;
         layout.note(left ? "left" : "right", choice.name);
     }
     ImGui::SetNextItemWidth(12 * ImGui::GetFontSize());
-    if (ImGui::InputTextWithHint("##settings", "values, as uIndex=1.33", memory.settings.data(), memory.settings.size(),
-                                 ImGuiInputTextFlags_EnterReturnsTrue)) {
+    if (text_field("##settings", "values, as uIndex=1.33", memory.settings, ImGuiInputTextFlags_EnterReturnsTrue)) {
         if (memory.settings[0] != '\0') name = memory.settings.data();
         memory.settings.fill('\0');
         ImGui::CloseCurrentPopup();

@@ -10,6 +10,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/panels/state.h"
 
@@ -87,7 +88,7 @@ bool card(const Card& shown, bool first) {
     const ImVec2 size(width, above + line * static_cast<float>(1 + shown.lines) + 2 * pad);
     if (!first) follow(width, pad);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool chosen = ImGui::Selectable("##card", false, 0, size);
+    const bool chosen = selectable("##card", false, 0, size);
     if (!ImGui::IsItemVisible()) return chosen;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (shown.picture)
@@ -159,7 +160,7 @@ void start_page(const Facts& facts, Memory& memory, Requests& requests, Layout& 
 
 void places(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
     ImGui::TextDisabled("Places");
-    if (ImGui::Selectable("Home")) open_browser(listing.home, memory, requests);
+    if (selectable("Home")) open_browser(listing.home, memory, requests);
     layout.note("browser.home");
     ImGui::Spacing();
     cards("Recent", "browser.recent", facts.recent, memory, requests, layout);
@@ -213,6 +214,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
         const bool clicked = ImGui::Selectable(
             "##entry", chosen, ImGuiSelectableFlags_DontClosePopups | ImGuiSelectableFlags_AllowDoubleClick,
             {0, entry.folder ? ImGui::GetTextLineHeight() : picture_size().y});
+        const bool keys = or_keys(false);
         layout.note("browser.entry", entry.name);
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
         if (!entry.picture.why.empty())
@@ -225,6 +227,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
             browser.chosen = i;
             if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return take(entry, memory, requests);
         }
+        if (keys) return take(entry, memory, requests);
     }
 }
 
@@ -266,8 +269,7 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
     if (browser.focus) ImGui::SetKeyboardFocusHere();
     browser.focus = false;
     ImGui::SetNextItemWidth(-FLT_MIN);
-    bool go = ImGui::InputTextWithHint("##name", "name or path", browser.typed.data(), browser.typed.size(),
-                                       ImGuiInputTextFlags_EnterReturnsTrue);
+    bool go = text_field("##name", "name or path", browser.typed, ImGuiInputTextFlags_EnterReturnsTrue);
     layout.note("browser.name");
     if (ImGui::IsItemEdited()) browser.chosen = 0;
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;

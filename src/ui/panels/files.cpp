@@ -62,7 +62,8 @@ void files_section(const Facts& facts, Memory& memory, Requests& requests, Layou
         ImGui::PushID(static_cast<int>(i));
         ImGui::Selectable(shortened(file.name, width).c_str());
         Place place{file.path, 1, 1};
-        if (edit_link(facts, place)) requests.edit = std::move(place);
+        const bool keys = or_keys(false);
+        if (edit_link(facts, place) || keys) requests.edit = std::move(place);
         layout.note("file", file.name);
         ImGui::PopID();
     }

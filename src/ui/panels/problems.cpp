@@ -62,7 +62,8 @@ void show(const Facts& facts, const Problem& problem, std::size_t number, Reques
         const std::string name = fmt::format("problem.{}", number);
         layout.note(name);
         layout.place(name + ".place", underline(finding));
-        if (edit_link(facts, problem.place, true)) requests.edit = problem.place;
+        const bool keys = or_keys(false, ImGui::GetID(name.c_str()));
+        if (edit_link(facts, problem.place, true) || keys) requests.edit = problem.place;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
     show_details(finding);
@@ -105,10 +106,10 @@ bool right_button(const char* text, Layout& layout, const char* name) {
 
 constexpr float most_problems = .9F;  // of the picture's height
 
-// The lower edge of the list, by which the user sizes it.
+// Below the list, by which the user sizes it.
 void problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layout) {
     const float grip = std::round(ImGui::GetFontSize() * .5F), margin = ImGui::GetStyle().WindowPadding.x;
-    ImGui::SetNextWindowPos({scene.x + margin, bottom - std::round(grip / 2)});
+    ImGui::SetNextWindowPos({scene.x + margin, bottom});
     ImGui::SetNextWindowSize({scene.width - 2 * margin, grip});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -122,11 +123,12 @@ void problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layo
         if (held)
             memory.problems_height = std::clamp(
                 (ImGui::GetIO().MousePos.y - scene.y - margin) / std::max(scene.height, 1.0F), .1F, most_problems);
-        const float middle = scene.x + scene.width / 2, reach = 1.5F * ImGui::GetFontSize(), y = bottom - 3;
-        ImGui::GetWindowDrawList()->AddRectFilled({middle - 1.2F * reach, y - 4}, {middle + 1.2F * reach, y + 3},
-                                                  ImGui::GetColorU32(palette().problem_background));
-        ImGui::GetWindowDrawList()->AddLine({middle - reach, y}, {middle + reach, y},
-                                            ImGui::GetColorU32(palette().problem_text), 2);
+        const float middle = scene.x + scene.width / 2, reach = 1.5F * ImGui::GetFontSize(), y = bottom + grip / 2;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled({middle - 1.2F * reach, bottom}, {middle + 1.2F * reach, bottom + grip},
+                           ImGui::GetColorU32(palette().problem_background), ImGui::GetStyle().FrameRounding,
+                           ImDrawFlags_RoundCornersBottom);
+        list.AddLine({middle - reach, y}, {middle + reach, y}, ImGui::GetColorU32(palette().problem_text), 2);
     }
     ImGui::End();
     ImGui::PopStyleVar(3);

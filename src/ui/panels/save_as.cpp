@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "parser/text/words.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/numbers.h"
 #include "src/ui/kit/style.h"
@@ -70,8 +71,8 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     wrapped(words.label);
     if (fresh) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool entered = ImGui::InputText("##name", dialog.file.data(), dialog.file.size(),
-                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered =
+        text_field("##name", "", dialog.file, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     layout.note(words.name + " file");
     tip(words.tip);
     if (!dialog.folder.empty()) {
@@ -222,8 +223,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     const bool free =
         !ImGui::IsAnyItemActive() && !kit().typing.id && (pressed(Key::enter) || pressed(Key::keypad_enter));
     const bool entered =
-        ImGui::InputText("##file", picture.file.data(), picture.file.size(), ImGuiInputTextFlags_EnterReturnsTrue) ||
-        (free && kit().focus.at == 0);
+        text_field("##file", "", picture.file, ImGuiInputTextFlags_EnterReturnsTrue) || (free && kit().focus.at == 0);
     layout.note("picture file");
     if (!picture.folder.empty()) {
         row("");
