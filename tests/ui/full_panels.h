@@ -315,6 +315,7 @@ public:
         for (int i = 1; i <= 20; ++i)
             examples_.push_back({"scene" + std::to_string(i) + ".glib", "", "/scene", {7, 1.5F}});
         lessons_ = {{"glass.glib", "07-glass", "/glass.glib", {7, .8F}}, {long_name, long_name, "/l"}};
+        recent_.back().picture.why = "new.glib:1:1: error: unknown command";
         kinds_ = {{"blank", "a lit ball in one colour"},
                   {"displace", "waves, by a vertex shader that moves a flat square"}};
         facts_.examples = {examples_, lessons_};

@@ -1,12 +1,15 @@
 // Mouse and keys on the panels, judged by what becomes of the values.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include "parser/text/words.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/numbers.h"
+#include "src/ui/kit/widgets.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {
@@ -490,6 +493,21 @@ TEST_F(UiTest, EnterSavesThePicture) {
     frame({key(Key::enter, false)});
     EXPECT_LT(place("picture cancel").x, place("picture save").x);
     memory_.picture.open = false;
+}
+
+TEST_F(UiTest, NumbersAreNotBrokenAtTheirPoint) {
+    frame();
+    gui_.begin();
+    const std::string text = "sum 12.3\u00A0ms; the same frame in one go 45.6\u00A0ms\nand 7.8 more";
+    for (float width = 10; width < 600; width += 7) {
+        const std::string lines = broken_at_blanks(text, width);
+        std::string joined = lines;
+        std::ranges::replace(joined, '\n', ' ');
+        EXPECT_EQ(joined, "sum 12.3\u00A0ms; the same frame in one go 45.6\u00A0ms and 7.8 more");
+        for (const std::string_view line : split(lines, '\n'))
+            EXPECT_TRUE(width_of(line) <= width || line.find(' ') == line.npos) << width << ": " << line;
+    }
+    gui_.end();
 }
 
 TEST_F(UiTest, TheListOfErrorsIsAStripThatIsSized) {

@@ -86,7 +86,37 @@ void label(const char* text) {
     ImGui::SameLine();
 }
 
+namespace {
+
+bool has_decimals(std::string_view text) {
+    const auto digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+        if (text[i] == '.' && digit(i - 1) && digit(i + 1)) return true;
+    return false;
+}
+
+}  // namespace
+
+std::string broken_at_blanks(std::string_view text, float width) {
+    std::string lines(text);
+    std::size_t begin = 0, blank = std::string::npos;
+    for (std::size_t i = 0; i <= lines.size(); ++i) {
+        if (i < lines.size() && lines[i] != ' ' && lines[i] != '\n') continue;
+        if (blank != std::string::npos && width_of(std::string_view(lines).substr(begin, i - begin)) > width) {
+            lines[blank] = '\n';
+            begin = blank + 1;
+        }
+        blank = i;
+        if (i < lines.size() && lines[i] == '\n') begin = i + 1;
+        if (begin == i + 1) blank = std::string::npos;
+    }
+    return lines;
+}
+
 void wrapped(std::string_view text, bool dim) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::string lines;
+    if (width_of(text) > width && has_decimals(text)) text = lines = broken_at_blanks(text, width);
     ImGui::PushTextWrapPos(0);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(dim ? ImGuiCol_TextDisabled : ImGuiCol_Text));
     ImGui::TextUnformatted(text.data(), text.data() + text.size());

@@ -56,8 +56,15 @@ void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout
 
 void draw_picture(const SmallPicture& picture, ImVec2 at, ImVec2 room) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    if (picture.texture == 0) return;
+    const ImVec2 end(at.x + room.x, at.y + room.y);
+    list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    if (picture.texture == 0) {
+        list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
+        constexpr std::string_view none = "no picture";  // the tooltip says why
+        if (picture.why.empty() || width_of(none) > room.x) return;
+        const ImVec2 middle((at.x + end.x - width_of(none)) / 2, (at.y + end.y - ImGui::GetTextLineHeight()) / 2);
+        return list.AddText(middle, ImGui::GetColorU32(ImGuiCol_TextDisabled), none.data(), none.data() + none.size());
+    }
     const ImVec2 size(std::min(room.x, room.y * picture.shape), std::min(room.y, room.x / picture.shape));
     const ImVec2 from(at.x + (room.x - size.x) / 2, at.y + (room.y - size.y) / 2);
     list.AddImage(reinterpret_cast<ImTextureID>(picture.texture), from, {from.x + size.x, from.y + size.y});
