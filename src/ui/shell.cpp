@@ -452,7 +452,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     picture_window(facts, memory, requests, layout);
     save_as_windows(memory, requests, layout);
     if (memory.keys && help_panel(layout)) memory.keys = false;
-    hint(parts.scene, memory, layout);
+    hint({parts.scene.x, parts.scene.y, parts.scene.width, end - parts.scene.y}, memory, layout);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (memory.hold.picking && facts.scene && !ImGui::GetIO().WantCaptureMouse &&
         parts.scene.contains(mouse.x, mouse.y))

@@ -339,7 +339,7 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
         ImGui::SameLine();
         if (button(memory.show == Show::heat ? "Split" : "Heat map", layout, "accuracy.other"))
             memory.show = memory.show == Show::heat ? Show::split : Show::heat;
-        tip("Shows where they differ, or both");
+        tip("Shows where they differ: black is equal, brighter is more, white is as black against white; or both");
         if (!two_lines) {
             ImGui::SameLine();
             state_button(states, 1, wide(1), memory, layout);
