@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/gui/desk.h"
+#include "tests/screens.h"
 
 namespace snell::test {
 namespace {
@@ -213,6 +214,30 @@ TEST_F(RoomStates, WaterBesideDiamondTurnsAsOne) {
     EXPECT_GT(changed(0, .48), 500);
     EXPECT_GT(changed(.52, 1), 500) << "both are live";
     keep("guide-states-window");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+// For docs/window.md: what one bend in a ball of glass lacks, and what it costs.
+TEST_F(RoomStates, ARungBesideTheReferenceWithItsErrorAndTime) {
+    std::filesystem::create_directory_symlink(SNELL_ROOT "/scenes", file("scenes"));
+    open("scenes/light/glass/glass.glib", {"--size", "1280x720"});
+    click("BEND");
+    click("BEND.single");
+    settle();
+    user("key s a");
+    settle();
+    EXPECT_EQ(state()["states"][0], "now: BEND single");
+    EXPECT_TRUE(wait([](const json& s) { return s["accuracy"]["samples"] > 0; }));
+    if (!screens_folder().empty()) {
+        click("accuracy.measure");
+        EXPECT_TRUE(wait([](const json& s) { return s["accuracy"]["points"].size() == 4; }, 60));
+        EXPECT_TRUE(wait([](const json& s) { return !s["accuracy"]["measuring"].get<bool>(); }, 60));
+    }
+    user("mousemove 5 5");
+    settle();
+    keep("guide-accuracy-window");
+    const double error = state()["accuracy"]["error"];
+    EXPECT_GT(error, .01) << "one bend is not what two are";
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 
