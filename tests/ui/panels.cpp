@@ -361,6 +361,12 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     ++facts_.revision;
     EXPECT_FALSE(has("failure.ok")) << "they were read";
     facts_.changed = true;
+    memory_.failure = {"not saved: room.glib is gone", Remedy::save_as};
+    facts_.changed = false;
+    EXPECT_TRUE(has("failure.ok")) << "it is gone, whatever the values are";
+    ++facts_.revision;
+    EXPECT_FALSE(has("failure.ok")) << "it is there again";
+    facts_.changed = true;
     memory_.failure = {"not saved: no space left", Remedy::save};
     frame({key(Key::r, true)});
     frame({key(Key::r, false)});

@@ -232,8 +232,8 @@ bool failure_box(const Failure& failure, const Rect& scene, float& bottom, Reque
 
 // True if what could not be done has become needless.
 bool mended(const Failure& failure, bool read_again, bool changed) {
-    if (failure.remedy == Remedy::reload) return read_again;
-    return (failure.remedy == Remedy::save || failure.remedy == Remedy::save_as) && !changed;
+    if (failure.remedy == Remedy::reload || failure.remedy == Remedy::save_as) return read_again;
+    return failure.remedy == Remedy::save && !changed;
 }
 
 }  // namespace
