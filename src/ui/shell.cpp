@@ -321,7 +321,8 @@ void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout
 
 void tools_tab(const Facts& facts, Controls& controls, View& view, Memory& memory, Layout& layout, Requests& requests) {
     if (facts.scene) {
-        accuracy_section(facts, controls, memory.accuracy, requests, layout);
+        const bool moves = facts.animated || memory.animating();
+        accuracy_section(facts, controls, moves, memory.accuracy, requests, layout);
         view_section(facts, view, memory, layout);
         pixels_section(memory.open, memory.pixels, layout);
         textures_section(facts, memory, layout);
@@ -361,7 +362,7 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
 
 // Closes Accuracy if it is in sight, and otherwise shows it.
 void switch_accuracy(Memory& memory) {
-    memory.accuracy.open = !(memory.accuracy.open && memory.tab == Tab::tools && memory.panel);
+    memory.accuracy.open = !memory.accuracy_in_sight();
     if (!memory.accuracy.open) return;
     memory.tab = Tab::tools;
     if (!memory.panel) hide(memory);

@@ -273,7 +273,7 @@ void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
     memory.rungs = rungs;
 }
 
-void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Requests& requests,
+void accuracy_section(const Facts& facts, Controls& controls, bool moves, AccuracyMemory& memory, Requests& requests,
                       Layout& layout) {
     ImGui::SetNextItemOpen(memory.open);
     memory.open = header("Accuracy");
@@ -287,7 +287,7 @@ void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
         show_buttons(memory, layout);
         if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
     }
-    if (facts.animated) {
+    if (moves) {
         switch_box("Pause time", memory.hold_time);
         layout.note("accuracy.hold time");
     }

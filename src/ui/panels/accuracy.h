@@ -85,7 +85,7 @@ struct AccuracyMemory {
     float grabbed = .5F;               // where it was when its drag began
     std::size_t ladder = 0;            // index of the ladder that is plotted: the one changed last
     Rungs rungs;                       // of the last frame
-    bool hold_time = true;             // whether an animated scene is paused while the panel is open
+    bool hold_time = true;             // whether time is paused while the panel is in sight
     AccuracyPlot plot;
 };
 
@@ -94,8 +94,8 @@ inline constexpr double coldest = -3, hottest = 0;
 
 // Plots the ladder that was changed since the last frame. Call it in every frame, whether the panel is in sight or not.
 void follow_ladder(const Rungs& rungs, AccuracyMemory& memory);
-// Draws the panel.
-void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Requests& requests,
+// Draws the panel. `moves`: time or values change by themselves, unless they are paused.
+void accuracy_section(const Facts& facts, Controls& controls, bool moves, AccuracyMemory& memory, Requests& requests,
                       Layout& layout);
 
 std::string milliseconds_text(double milliseconds);
