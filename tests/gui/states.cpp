@@ -54,7 +54,7 @@ TEST_F(States, AreShownSideBySideAndSlidersActOnWhatIsNow) {
     settle();
     expect({slid, .4, .5}, {slid, .4, .5}, "the reference is the same");
     EXPECT_EQ(label(0), "now");
-    EXPECT_EQ(label(1), "reference");
+    EXPECT_EQ(label(1), "reference: the same");
     choose_state("right", "saved");
     expect({slid, .4, .5}, {.2, .4, .5}, "as saved");
     EXPECT_EQ(label(0), "now: uRed " + fmt::format("{:.4g}", slid));

@@ -139,6 +139,11 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
         return setup_of(document.scene(), document.controls);
     };
     const StateDifference differ = difference(setup(halves_[0]), setup(halves_[1]));
+    // States of other texts may differ in these.
+    const bool same =
+        differ.left.empty() && halves_[0].name != halves_[1].name && ranges::all_of(halves_, [](const Half& half) {
+            return half.error.empty() && half.name != opened && half.name != before_edit;
+        });
     for (const std::size_t i : {0, 1}) {
         const Half& half = halves_[i];
         const std::string& values = i == 0 ? differ.left : differ.right;
@@ -151,6 +156,7 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
                                       : shown_name(half.name) + ": " + values;
         side.failed = !half.error.empty();
         side.blank = !half.shows();
+        if (same && i == 1) side.label += ": the same";
         if (side.failed && !side.blank) side.label += fmt::format(", last good picture: {}", half.error);
     }
     if (found.empty()) return &facts_;
