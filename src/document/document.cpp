@@ -278,11 +278,15 @@ Saved new_texts(const Document& document) {
 Saved saved_values(const Document& document) {
     Saved saved = new_texts(document);
     std::error_code error;
-    for (const SavedFile& file : saved.files)
-        if (!fs::exists(file.path, error))
-            saved.error = file.path + " is gone: save the scene under a name, which writes what was read";
-        else if (content::whole_file(file.path) != file.before)
-            saved.error = file.path + " has changed since it was read: reload it, or correct its errors, first";
+    const auto check_there = [&](const std::string& path) {
+        const bool there = fs::exists(path, error);
+        if (!there) saved.error = path + " is gone: save the scene under a name, which writes what was read";
+        return there;
+    };
+    if (check_there(document.path))  // also where no value was changed
+        for (const SavedFile& file : saved.files)
+            if (check_there(file.path) && content::whole_file(file.path) != file.before)
+                saved.error = file.path + " has changed since it was read: reload it, or correct its errors, first";
     if (!saved.error.empty()) saved.files.clear();
     return saved;
 }

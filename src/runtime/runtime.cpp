@@ -163,9 +163,9 @@ DrawContext& Runtime::Impl::context(Index index, const Frame& frame, PassView& v
         if (const auto object = frame.view.objects.find(index); object != frame.view.objects.end())
             result.model = placed(object->second, scene.cameras[draw.camera], result.model);
     const RasterState& raster = scene.rasters[draw.raster];
-    result.point_size = raster.point_size;
-    result.fixed_point_size = raster.point_size_mode ? 0 : raster.point_size;
-    result.line_width = raster.line_width;
+    result.point_size = raster.point_size / frame.enlarged;
+    result.fixed_point_size = raster.point_size_mode ? 0 : raster.point_size / frame.enlarged;
+    result.line_width = raster.line_width / frame.enlarged;
     return result;
 }
 
@@ -182,6 +182,7 @@ void Runtime::Impl::draw(const Frame& frame, const Surface& surface) {
     if (!only_window) settled = true;
     Frame off_screen = frame;
     off_screen.unblended = false;
+    off_screen.enlarged = 1;
     const PassView window = window_view(frame, surface);
     find_needed(frame, window);
     for (Index pass = 0; pass < passes.size(); ++pass) {
@@ -413,6 +414,8 @@ void Runtime::Impl::set_up(const ReadyDraw& ready, const Frame& frame, PassView&
     const bool opaque =
         savings && (program.opaque || (draw.program == none && color[3] >= 1 && !meshes[ready.mesh]->has_color));
     RasterState raster = plan.scene.rasters[draw.raster];
+    raster.line_width /= frame.enlarged;
+    raster.point_size /= frame.enlarged;
     if (frame.unblended) raster.blend = false;
     if (program.wide) {  // they are lines all the same: not outlined, and neither side is their back
         raster.wireframe = false;

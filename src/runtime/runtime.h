@@ -45,7 +45,7 @@ struct Frame {
     bool standing = false;
     // Nothing blends in the window: its pixels are what the last fragments there wrote.
     bool unblended = false;
-    // The picture is enlarged so many times on the screen: axes are as thick there as in others.
+    // The picture is enlarged so many times on the screen: lines, points and axes are as thick there as in others.
     int enlarged = 1;
     // Becomes true when a fragment of any draw reaches the window's picture. Null if no one wants to know: the answer
     // waits for the draws.

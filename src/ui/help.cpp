@@ -35,7 +35,7 @@ std::span<const KeyRow> key_rows() {
         {"S", "show two states side by side, or one picture"},
         {"Ctrl +, Ctrl - and Ctrl 0", "larger, smaller, default text size"},
         {"F1", "show this list"},
-        {"Tab; with Shift", "go to the next value, button or ladder; to the previous one", "Values"},
+        {"Tab; with Shift", "go to the next value, button, row or field; to the previous one", "Values"},
         {"arrow keys; with Shift; Page keys", "change that value: in steps; fine; coarse"},
         {"Enter; Esc", "type that value, switch or press it; restore the old one"},
         {"Esc while dragging", "restore what was before the drag"},

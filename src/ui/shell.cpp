@@ -98,6 +98,7 @@ bool begin_menu(const char* text, const char* name, Memory& memory, Layout& layo
     const ImVec2 all = ImGui::GetIO().DisplaySize, from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
     ImGui::SetNextWindowPos({std::max(0.0F, std::min(from.x, all.x - sizes.GetFloat(width))),
                              std::max(0.0F, std::min(to.y, all.y - sizes.GetFloat(height)))});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, all);
     const bool open = ImGui::BeginPopup(name);
     note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
     if (!open) return false;
@@ -117,8 +118,11 @@ struct Item {
     bool enabled = true, on = false;
 };
 
+// In the narrowest windows without its keys, which F1 lists.
 bool item(const Item& item, Layout& layout) {
-    const bool clicked = ImGui::MenuItem(item.text, item.keys, item.on, item.enabled);
+    const float em = ImGui::GetFontSize(), all = ImGui::GetIO().DisplaySize.x;
+    const Text text = shortened(item.text, all - 4.5F * em);
+    const bool clicked = ImGui::MenuItem(text.c_str(), all < 20 * em ? nullptr : item.keys, item.on, item.enabled);
     const bool chosen = item.enabled ? or_keys(clicked) : clicked;
     layout.note(item.name);
     if (chosen) ImGui::CloseCurrentPopup();
@@ -132,7 +136,11 @@ void open_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
     for (std::size_t i = 0; i < facts.recent.size(); ++i) {
         const SceneCard& scene = facts.recent[i];
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::MenuItem(shortened(scene.name, 16 * ImGui::GetFontSize()).c_str())) requests.open = scene.path;
+        const float em = ImGui::GetFontSize(), room = std::min(16 * em, ImGui::GetIO().DisplaySize.x - 4.5F * em);
+        if (or_keys(ImGui::MenuItem(shortened(scene.name, room).c_str()))) {
+            requests.open = scene.path;
+            ImGui::CloseCurrentPopup();
+        }
         tip(scene.folder);
         layout.note("recent", scene.name);
         ImGui::PopID();
@@ -299,7 +307,13 @@ void tabs(Memory& memory, Layout& layout) {
     ImGui::Separator();
 }
 
-void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
+constexpr float words_room = 8;  // how to open a scene is said over the picture
+
+void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout& layout, Requests& requests) {
+    if (no_scene_open(facts) && !has_room(memory.scene, words_room)) {
+        if (no_scene_words(layout)) open_browser({}, memory, requests);
+        return;
+    }
     if (!facts.scene) return ImGui::TextDisabled("no scene");
     ladders_panel(facts, controls, layout);
     programs_panel(facts, controls, memory, layout);
@@ -307,7 +321,8 @@ void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout
 
 void tools_tab(const Facts& facts, Controls& controls, View& view, Memory& memory, Layout& layout, Requests& requests) {
     if (facts.scene) {
-        accuracy_section(facts, controls, memory.accuracy, requests, layout);
+        const bool moves = facts.animated || memory.animating();
+        accuracy_section(facts, controls, moves, memory.accuracy, requests, layout);
         view_section(facts, view, memory, layout);
         pixels_section(memory.open, memory.pixels, layout);
         textures_section(facts, memory, layout);
@@ -335,7 +350,7 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
         if (memory.tab == Tab::tools)
             tools_tab(facts, controls, view, memory, layout, requests);
         else
-            controls_tab(facts, controls, memory, layout);
+            controls_tab(facts, controls, memory, layout, requests);
         show_opened();
         ImGui::EndChild();
         splitter(panel, memory);
@@ -347,7 +362,7 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
 
 // Closes Accuracy if it is in sight, and otherwise shows it.
 void switch_accuracy(Memory& memory) {
-    memory.accuracy.open = !(memory.accuracy.open && memory.tab == Tab::tools && memory.panel);
+    memory.accuracy.open = !memory.accuracy_in_sight();
     if (!memory.accuracy.open) return;
     memory.tab = Tab::tools;
     if (!memory.panel) hide(memory);
@@ -412,6 +427,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
         if (menu == Menu::open && any_pressed() && !(tabs && kit().focus.presses)) memory.menu = Menu::closing;
     }
     const Areas parts = areas(memory);
+    memory.scene = parts.scene;
     follow_ladder(controls.rungs, memory.accuracy);
     // Out of sight they cost nothing.
     if (!memory.panel || memory.tab != Tab::tools || !facts.scene)
@@ -422,12 +438,14 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
         overlays(facts, parts.scene, controls, fonts, memory, layout);
     }
     problems_panel(facts, parts.scene, fonts, memory, requests, layout);
-    notices(facts, parts.scene, memory, requests, layout);
-    if (no_scene_open(facts) && !memory.browser.open && no_scene(parts.scene, layout))
+    if (no_scene_open(facts) && !memory.browser.open && has_room(parts.scene, words_room) &&
+        no_scene(parts.scene, layout))
         open_browser({}, memory, requests);
+    blank_halves(facts, parts.scene, memory.accuracy);
     if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
-    state_bar(facts, parts.scene, memory.accuracy, layout);
+    const float end = state_bar(facts, parts.scene, memory.accuracy, layout);
+    notices(facts, parts.scene, end, memory, requests, layout);
     pixel_keys(parts.scene, memory.pixels);
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     texel_inspector(facts, memory.textures, fonts, layout);
@@ -435,13 +453,12 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     picture_window(facts, memory, requests, layout);
     save_as_windows(memory, requests, layout);
     if (memory.keys && help_panel(layout)) memory.keys = false;
-    hint(parts.scene, memory, layout);
+    hint({parts.scene.x, parts.scene.y, parts.scene.width, end - parts.scene.y}, memory, layout);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (memory.hold.picking && facts.scene && !ImGui::GetIO().WantCaptureMouse &&
         parts.scene.contains(mouse.x, mouse.y))
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     hold_scene(facts, parts.scene, view, memory.hold, requests);
-    memory.scene = parts.scene;
     return requests;
 }
 

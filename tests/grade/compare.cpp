@@ -183,7 +183,10 @@ TEST_F(Compare, TwoStatesOfASceneAreNamed) {
     folder.write("s.frag",
                  "#version 330 compatibility\nuniform float uRed;\n"
                  "void main() { gl_FragColor = vec4(uRed, 0., float(TINT) * .4, 1.); }\n");
-    folder.write("s.snapshots.json", R"({"1": {"options": "--ladder TINT=dark\n--set P.uRed=0.2"}})");
+    folder.write(
+        "s.snapshots.json",
+        R"({"1": {"options": "--ladder TINT=dark\n--set P.uRed=0.2"}, "3": {"options": ""}, "0": {"options": ""},)"
+        R"( "72": {"options": ""}})");
     const auto rmse = [&](const std::string& a, const std::string& b) {
         const json pair = figures("s.glib --set '" + a + "' --set '" + b + "' --size 16x16");
         EXPECT_EQ(pair["picture"], "s.glib (" + a + ")");
@@ -195,8 +198,27 @@ TEST_F(Compare, TwoStatesOfASceneAreNamed) {
     EXPECT_NEAR(rmse("P.uRed=.6 TINT=dark", "reference"), std::hypot(red, blue), .003);
     EXPECT_NEAR(rmse("snapshot 1", "saved"), blue, .003);
     EXPECT_EQ(rmse("snapshot 1", "TINT=dark"), 0);
-    for (const char* wrong : {"--set saved", "--set saved --set nonsense", "--set saved --set 'snapshot 2'", ""})
-        EXPECT_EQ(compare(std::string("s.glib ") + wrong).status, 2) << wrong;
+    EXPECT_EQ(figures("s.glib --set saved --set uRed=.2 --size 16x16")["display"]["max"], 0);
+    EXPECT_NEAR(figures("s.glib --set saved --set uRed=.2 --ladder TINT=dark --size 16x16")["display"]["rmse"], blue,
+                .003)
+        << "what is saved has the file's rung";
+    const std::vector<std::array<const char*, 2>> wrongs{
+        {"", "--set twice"},
+        {"--set saved", "--set twice"},
+        {"--set saved --set nonsense", "names no state"},
+        {"--set saved --set 'snapshot 2'", "there is no snapshot 2; the scene has 1, 3"},
+        {"--set saved --set 'snapshot 0'", "there is no snapshot 0; the scene has 1, 3"},
+        {"--set 'snapshot 72' --set saved", "there is no snapshot 72; the scene has 1, 3"},
+        {"--set 'snapshot x' --set saved", "there is no snapshot x; the scene has 1, 3"},
+        {"--set uRad=.6 --set saved", "there is no uniform 'uRad'"},
+        {"--set saved --set uRed=red", "uRed"},
+        {"--set saved --set TINT=drak", "'drak'"},
+    };
+    for (const auto& [arguments, said] : wrongs) {
+        const Outcome outcome = compare(std::string("s.glib --size 16x16 ") + arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_TRUE(outcome.says(said)) << arguments << '\n' << outcome.output;
+    }
 }
 
 TEST_F(Compare, TransparencyCounts) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/gui/desk.h"
+#include "tests/screens.h"
 
 namespace snell::test {
 namespace {
@@ -53,7 +54,7 @@ TEST_F(States, AreShownSideBySideAndSlidersActOnWhatIsNow) {
     settle();
     expect({slid, .4, .5}, {slid, .4, .5}, "the reference is the same");
     EXPECT_EQ(label(0), "now");
-    EXPECT_EQ(label(1), "reference");
+    EXPECT_EQ(label(1), "reference: the same");
     choose_state("right", "saved");
     expect({slid, .4, .5}, {.2, .4, .5}, "as saved");
     EXPECT_EQ(label(0), "now: uRed " + fmt::format("{:.4g}", slid));
@@ -119,6 +120,62 @@ TEST_F(States, OfTheTextAreThereToo) {
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 
+TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    const double slid = state()["controls"]["Paint.uRed"][0];
+    user("key s");
+    settle();
+    choose_state("right", "saved");
+    const auto right_is_blank = [&](const char* what) {
+        const Pixel near = scene_pixel(25, 20), far = scene_pixel(60, -150);
+        EXPECT_EQ(near, far) << what;
+        EXPECT_GT(near.red + near.green + near.blue, 600) << what << ": the panel's colour";
+        EXPECT_NEAR(scene_pixel(-25, 20).red, std::lround(255 * slid), 1) << what;
+    };
+    save("paint.frag", "this is no shader\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    expect({slid, .4, .5}, {.2, .4, .5}, "after a broken edit, both as they were");
+    EXPECT_TRUE(label(1).starts_with("as saved: 0.2, last good picture: ")) << label(1);
+    choose_state("right", "TINT=dark");
+    right_is_blank("a rung that could never be made");
+    EXPECT_TRUE(label(1).starts_with("TINT=dark: ")) << label(1);
+    std::filesystem::remove(file("paint.frag"));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; }));
+    settle();
+    right_is_blank("a deleted shader");
+    save("paint.frag", fragment("0."));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 4 && s["errors"] == 0; }));
+    settle();
+    expect({slid, .4, .5}, {slid, .4, 0}, "made as soon as it can be");
+    EXPECT_EQ(label(1), "dark");
+    click("accuracy.right");
+    click("right.settings");
+    user("type --delay 8 uReed=0.9");
+    user("key Return");
+    settle();
+    right_is_blank("a uniform that is not there");
+    EXPECT_TRUE(label(1).starts_with("uReed=0.9: there is no uniform 'uReed'")) << label(1);
+    // There is nothing to magnify.
+    const std::array<double, 4> area = state()["scene"];
+    user("mousemove " + std::to_string(static_cast<int>(area[2] / 2) + 30) + " " +
+         std::to_string(static_cast<int>(area[3] / 2) + 20) + " keydown i");
+    settle();
+    EXPECT_FALSE(state().contains("pixels") && state()["pixels"].contains("rgba")) << state()["pixels"];
+    user("keyup i");
+    // A snapshot that is stored again is shown as it is now.
+    user("key ctrl+1");
+    settle();
+    choose_state("right", "snapshot 1");
+    expect({slid, .4, .5}, {slid, .4, .5}, "a snapshot");
+    drag(on("Paint.uRed", slid), on("Paint.uRed", .5));
+    const double later = state()["controls"]["Paint.uRed"][0];
+    user("key ctrl+1");
+    settle();
+    expect({later, .4, .5}, {later, .4, .5}, "stored again");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
 // For README: the index of water beside that of diamond, while the view turns.
 class RoomStates : public Desk {
 protected:
@@ -157,6 +214,30 @@ TEST_F(RoomStates, WaterBesideDiamondTurnsAsOne) {
     EXPECT_GT(changed(0, .48), 500);
     EXPECT_GT(changed(.52, 1), 500) << "both are live";
     keep("guide-states-window");
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+// For docs/window.md: what one bend in a ball of glass lacks, and what it costs.
+TEST_F(RoomStates, ARungBesideTheReferenceWithItsErrorAndTime) {
+    std::filesystem::create_directory_symlink(SNELL_ROOT "/scenes", file("scenes"));
+    open("scenes/light/glass/glass.glib", {"--size", "1280x720"});
+    click("BEND");
+    click("BEND.single");
+    settle();
+    user("key s a");
+    settle();
+    EXPECT_EQ(state()["states"][0], "now: BEND single");
+    EXPECT_TRUE(wait([](const json& s) { return s["accuracy"]["samples"] > 0; }));
+    if (!screens_folder().empty()) {
+        click("accuracy.measure");
+        EXPECT_TRUE(wait([](const json& s) { return s["accuracy"]["points"].size() == 4; }, 60));
+        EXPECT_TRUE(wait([](const json& s) { return !s["accuracy"]["measuring"].get<bool>(); }, 60));
+    }
+    user("mousemove 5 5");
+    settle();
+    keep("guide-accuracy-window");
+    const double error = state()["accuracy"]["error"];
+    EXPECT_GT(error, .01) << "one bend is not what two are";
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 

@@ -276,6 +276,14 @@ TEST_F(Window, ASceneWithTimerGoesOnByItself) {
     const json before = state();
     EXPECT_TRUE(wait([&](const json& s) { return s["frames"].get<int>() > before["frames"].get<int>() + 5; }));
     EXPECT_GT(state()["time"], before["time"]);
+    // It stands while Accuracy is in sight.
+    user("key a");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("accuracy.hold time"); }));
+    settle();
+    const double held = state()["time"];
+    EXPECT_FALSE(wait([&](const json& s) { return s["time"] > held; }, .4));
+    click("controls");
+    EXPECT_TRUE(wait([&](const json& s) { return s["time"] > held; }));
 }
 
 TEST_F(Window, APictureFollowsTheWindowsSize) {

@@ -70,8 +70,9 @@ Picture GlTest::draw(Document& document, const Look& look) {
     EXPECT_FALSE(problems.has_errors()) << render(problems, document.sources);
     const gl::Target target =
         gl::make_target(look.width, look.height, look.samples, document.runtime->display_pixels());
-    document.runtime->draw({look.time, look.view, document.controls},
-                           {target.framebuffer.get(), look.width, look.height});
+    Frame frame{look.time, look.view, document.controls};
+    frame.enlarged = look.enlarged;
+    document.runtime->draw(frame, {target.framebuffer.get(), look.width, look.height});
     picture.rgba = gl::read_rgba8(target.framebuffer.get(), look.width, look.height, target.samples, target.pixels);
     return picture;
 }

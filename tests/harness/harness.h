@@ -40,6 +40,7 @@ struct Look {
     double time = 0;
     View view;
     std::vector<std::string> sets;
+    int enlarged = 1;  // as Frame::enlarged
 };
 
 // Every test that draws derives from this. A context of the best version; any GL error or driver complaint

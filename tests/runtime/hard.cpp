@@ -35,6 +35,31 @@ TEST_P(HardScenes, WallsThatNearlyTouchDoNotFight) {
                fighting(ours), fighting(usual)});
 }
 
+// In a drag the window's pictures have half or a quarter of the pixels.
+TEST_P(HardScenes, LinesAndPointsAreAsThickInCoarsePictures) {
+    folder.write("line.geom",
+                 "#version 330 compatibility\nlayout(points) in;\nlayout(line_strip, max_vertices = 2) out;\n"
+                 "void main() {\n    for (int i = 0; i < 2; ++i) {\n"
+                 "        gl_Position = vec4(float(2 * i - 1), .3, 0., 1.);\n        EmitVertex();\n    }\n"
+                 "    EndPrimitive();\n}\n");
+    const std::string paint = std::string(flat) + "Vertex plain.vert\nFragment color.frag\n",
+                      program = "Program P uColor {1. 1. 1. 1.}\n";
+    const std::string scenes[]{
+        paint + "LineWidth 24\nGeometry line.geom\n" + program + "PointCloud 1 1 1\n",
+        paint + "LineWidth 24\n" + program + "glBegin gl_lines\nglVertex -1 0 0\nglVertex 1 0 0\nglEnd\n",
+        paint + "PointSize 32\n" + program + "glBegin gl_points\nglVertex 0 0 0\nglEnd\n",
+    };
+    for (const std::string& scene : scenes) {
+        const double fine = draw(scene, {.width = 256, .height = 256}).count({255, 255, 255, 255});
+        EXPECT_GT(fine, 800) << scene;
+        for (const int divide : {2, 4}) {
+            const Look look{.width = 256 / divide, .height = 256 / divide, .enlarged = divide};
+            EXPECT_NEAR(divide * divide * draw(scene, look).count({255, 255, 255, 255}) / fine, 1, .1)
+                << scene << divide;
+        }
+    }
+}
+
 // Where vertices go elsewhere than their mesh says, the planes stay where they were: nothing is cut off.
 TEST_P(HardScenes, WhatAShaderMovesIsNotCutOff) {
     folder.write("moved.vert",

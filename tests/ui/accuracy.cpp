@@ -87,6 +87,16 @@ TEST_F(AccuracyPanel, WithoutAReferenceThereIsNothingToMeasure) {
     EXPECT_FALSE(requests_.measure);
 }
 
+TEST_F(AccuracyPanel, TheHintOfTheHiddenPanelIsAboveTheNamesOfTheStates) {
+    memory_.accuracy.show = AccuracyMemory::Show::split;
+    facts_.states = &states_;
+    place("accuracy.swap");
+    frame({key(Key::h, true)});
+    frame({key(Key::h, false)});
+    const Rect hint = place("hint");
+    EXPECT_LE(hint.y + hint.height, place("accuracy.swap").y);
+}
+
 TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
     open();
     memory_.accuracy.show = AccuracyMemory::Show::split;

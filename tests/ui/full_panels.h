@@ -1,7 +1,9 @@
 // Every panel, as large and as full as scenes make it.
 #pragma once
 
+#include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +36,6 @@ struct Panel {
     const char* name;
     const char* widget;
     void (Screens::*prepare)();
-    bool anywhere = false;  // legible even in the smallest window with large letters
 };
 
 class Screens : public UiTest, public ::testing::WithParamInterface<Panel> {
@@ -87,6 +88,19 @@ public:
         accuracy_.remark = "the machine was too busy: the same rung took 2.0 and 3.1 ms";
         facts_.accuracy = &accuracy_;
         memory_.accuracy.open = true;
+    }
+    void two_states() {
+        programs();
+        states_ = {{{"now", "now"}, {"snapshot 1", "snapshot 1"}},
+                   {{{"now", "now: uIndex 1.33, uMix 0 and 12 more"}, {"snapshot 1", "snapshot 1: 2.42, 1"}}}};
+        facts_.states = &states_;
+        memory_.accuracy.show = AccuracyMemory::Show::split;
+        scene_.messages.push_back({"Drag uEta until the ball is gone.", {}});
+    }
+    void blank_states() {
+        two_states();
+        states_.sides[0] = {"reference", "reference, last good picture: the shader does not compile", true};
+        states_.sides[1] = {"TINT=dark", "TINT=dark: cannot read " + long_path, true, true};
     }
     void found() {
         accuracy();
@@ -301,6 +315,7 @@ public:
         for (int i = 1; i <= 20; ++i)
             examples_.push_back({"scene" + std::to_string(i) + ".glib", "", "/scene", {7, 1.5F}});
         lessons_ = {{"glass.glib", "07-glass", "/glass.glib", {7, .8F}}, {long_name, long_name, "/l"}};
+        recent_.back().picture.why = "new.glib:1:1: error: unknown command";
         kinds_ = {{"blank", "a lit ball in one colour"},
                   {"displace", "waves, by a vertex shader that moves a flat square"}};
         facts_.examples = {examples_, lessons_};
@@ -376,12 +391,32 @@ protected:
                                 " too far");
         return found;
     }
+    // Windows that are not whole on the screen, and what they hide for good.
+    static std::vector<std::string> off_the_screen() {
+        std::vector<std::string> found;
+        const ImVec2 all = ImGui::GetIO().DisplaySize;
+        const float little = ImGui::GetStyle().WindowPadding.x + 1;  // around what is inside
+        for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+            if (!window->Active || window->Hidden || (window->Flags & ImGuiWindowFlags_Tooltip) != 0) continue;
+            const ImVec2 from = window->Pos, to(from.x + window->Size.x, from.y + window->Size.y);
+            const bool child = (window->Flags & ImGuiWindowFlags_ChildWindow) != 0;
+            if (!child && (from.x < -.5F || from.y < -.5F || to.x > all.x + .5F || to.y > all.y + .5F))
+                found.push_back(fmt::format("{} goes from {}, {} to {}, {}", window->Name, from.x, from.y, to.x, to.y));
+            if (window->ScrollMax.x > little && !window->ScrollbarX)
+                found.push_back(fmt::format("{} hides {} at its right", window->Name, window->ScrollMax.x));
+            if (window->ScrollMax.y > little && !window->ScrollbarY)
+                found.push_back(fmt::format("{} hides {} at its bottom", window->Name, window->ScrollMax.y));
+        }
+        return found;
+    }
     void expect_legible(const std::string& where) {
+        for (const std::string& window : off_the_screen()) ADD_FAILURE() << where << ": " << window;
         for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << where << ": " << flaw;
         if (memory_.browser.open || memory_.picture.open || memory_.save_as.open) return;
         for (const std::string& widget : beyond_the_panel()) ADD_FAILURE() << where << ": " << widget;
     }
 
+    StateFacts states_;
     AccuracyFacts accuracy_;
     FoundFacts sought_;
     Explanation explanation_;

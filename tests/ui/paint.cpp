@@ -173,6 +173,13 @@ bool covers(const ImDrawList& list) {
            owner.starts_with("##inspector");
 }
 
+// Where the picture has no room for it, it lies over the panel, and hides what is there.
+bool lies_over(const ImDrawList& list) {
+    const std::string_view owner = owner_of(list);
+    return owner.starts_with("##states") || owner.starts_with("##problems") || owner.starts_with("##message") ||
+           owner.starts_with("##legend");
+}
+
 bool is_dialog(const ImDrawList& list) {
     const std::string_view owner = owner_of(list);
     return !owner.empty() && !owner.starts_with("##");
@@ -213,6 +220,13 @@ std::vector<std::string> flaws(const ImDrawData& data) {
     std::ranges::sort(letters, [](const Letter& a, const Letter& b) { return a.box.x < b.box.x; });
     for (std::size_t i = 0; i < letters.size(); ++i)
         for (std::size_t k = i + 1; k < letters.size() && letters[k].box.x < letters[i].box.z; ++k) {
+            const auto over = [&](std::size_t one, std::size_t other) {
+                const auto list_of = [&](std::size_t n) -> const ImDrawList& {
+                    return *lists[static_cast<std::size_t>(letters[n].list)];
+                };
+                return lies_over(list_of(one)) && owner_of(list_of(other)).starts_with("##panel");
+            };
+            if (over(i, k) || over(k, i)) continue;
             const ImVec4 &a = letters[i].box, &b = letters[k].box;
             const float wide = std::min(a.z, b.z) - std::max(a.x, b.x), high = std::min(a.w, b.w) - std::max(a.y, b.y);
             // Neighbours may touch; what is written over something else covers it.

@@ -1,12 +1,15 @@
 // Mouse and keys on the panels, judged by what becomes of the values.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include "parser/text/words.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/widgets.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {
@@ -358,6 +361,12 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     ++facts_.revision;
     EXPECT_FALSE(has("failure.ok")) << "they were read";
     facts_.changed = true;
+    memory_.failure = {"not saved: room.glib is gone", Remedy::save_as};
+    facts_.changed = false;
+    EXPECT_TRUE(has("failure.ok")) << "it is gone, whatever the values are";
+    ++facts_.revision;
+    EXPECT_FALSE(has("failure.ok")) << "it is there again";
+    facts_.changed = true;
     memory_.failure = {"not saved: no space left", Remedy::save};
     frame({key(Key::r, true)});
     frame({key(Key::r, false)});
@@ -492,6 +501,21 @@ TEST_F(UiTest, EnterSavesThePicture) {
     memory_.picture.open = false;
 }
 
+TEST_F(UiTest, NumbersAreNotBrokenAtTheirPoint) {
+    frame();
+    gui_.begin();
+    const std::string text = "sum 12.3\u00A0ms; the same frame in one go 45.6\u00A0ms\nand 7.8 more";
+    for (float width = 10; width < 600; width += 7) {
+        const std::string lines = broken_at_blanks(text, width);
+        std::string joined = lines;
+        std::ranges::replace(joined, '\n', ' ');
+        EXPECT_EQ(joined, "sum 12.3\u00A0ms; the same frame in one go 45.6\u00A0ms and 7.8 more");
+        for (const std::string_view line : split(lines, '\n'))
+            EXPECT_TRUE(width_of(line) <= width || line.find(' ') == line.npos) << width << ": " << line;
+    }
+    gui_.end();
+}
+
 TEST_F(UiTest, TheListOfErrorsIsAStripThatIsSized) {
     std::vector<Problem> problems(
         40, {{.file = "a.glib", .at = Position{1, 1}, .message = "no", .source = MarkedLine{"x"}}, {}});
@@ -499,6 +523,7 @@ TEST_F(UiTest, TheListOfErrorsIsAStripThatIsSized) {
     facts_.revision = 1;
     const Rect list = place("problems.panel"), grip = place("problems.grip");
     EXPECT_LE(list.height, .31F * memory_.scene.height);
+    EXPECT_GE(grip.y, list.y + list.height) << "the last line is whole";
     EXPECT_EQ(gui_.fonts().mono->FontSize, gui_.fonts().text->FontSize) << "as large as all other letters";
     const double x = grip.x + grip.width / 2, y = grip.y + grip.height / 2;
     const View view = view_;

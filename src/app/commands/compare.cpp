@@ -101,10 +101,10 @@ private:
             return {};
         }
         if (!wanted.size) wanted.size = size;
-        std::string messages;
-        auto result = scene_picture(path, wanted, gl::query_caps(), messages);
-        fmt::print(stderr, "{}", messages);
-        return result;
+        DrawnScene drawn = scene_picture(path, wanted, gl::query_caps());
+        fmt::print(stderr, "{}", drawn.messages);
+        if (drawn.misfit) status_ = exit_usage;  // status 1 says that pictures differ
+        return std::move(drawn.picture);
     }
 
     static content::ImageResult read(const std::string& path) {
@@ -354,6 +354,7 @@ Exit two_states(CompareOptions& options) {
         NamedState state = named_state(options.states[side != &options.scene], options.picture, plan->scene);
         if (!state.error.empty()) return complain(exit_usage, state.error);
         side->sets = std::move(state.sets);
+        if (state.written) side->ladders.clear();
         side->ladders.insert(side->ladders.end(), state.ladders.begin(), state.ladders.end());
     }
     options.references = {options.picture};

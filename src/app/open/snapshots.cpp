@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "parser/text/words.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
 #include "src/content/text_forms.h"
@@ -58,6 +59,15 @@ std::string store_snapshot(int number, const Document& document) {
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 
+std::string no_snapshot(std::string_view number, const std::string& scene) {
+    std::string there;
+    const auto stored = snapshots_there(scene);
+    for (std::size_t i = 1; i < stored.size(); ++i)
+        if (stored[i]) there += fmt::format("{}{}", there.empty() ? "" : ", ", i);
+    return fmt::format("there is no snapshot {}; the scene has {}", utf8::printable(number),
+                       there.empty() ? "none" : there);
+}
+
 Setup read_snapshot(int number, const std::string& scene, std::string& error) {
     const Json json = read(scene);
     const Json* const snapshot = member(json, std::to_string(number));
@@ -65,7 +75,7 @@ Setup read_snapshot(int number, const std::string& scene, std::string& error) {
     if (options && options->is_string()) return read_setup(options->get<std::string>());
     error = json.is_discarded() ? snapshots_file(scene) + " cannot be read as JSON"
             : snapshot          ? fmt::format("snapshot {} has another form: store it again", number)
-                                : fmt::format("there is no snapshot {}", number);
+                                : no_snapshot(std::to_string(number), scene);
     return {};
 }
 

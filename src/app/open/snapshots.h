@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "src/document/document.h"
 #include "src/plan/setup.h"
@@ -20,6 +21,9 @@ std::array<bool, most_snapshots + 1> snapshots_there(const std::string& scene);
 
 // Stores all values and rungs of the document; the other contents of the file stay. Returns "" or the error.
 std::string store_snapshot(int number, const Document& document);
+
+// Of a number that no snapshot of the scene has: that there is none, and which there are.
+std::string no_snapshot(std::string_view number, const std::string& scene);
 
 // The values and rungs of a snapshot. Sets `error` if there is none.
 Setup read_snapshot(int number, const std::string& scene, std::string& error);

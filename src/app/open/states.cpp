@@ -53,6 +53,7 @@ NamedState named_state(std::string_view name, const std::string& path, const Sce
     if (!name.starts_with(state_snapshot)) return of_settings(name, scene);
     const std::string_view number = name.substr(state_snapshot.size());
     const int index = number.size() == 1 ? number[0] - '0' : 0;
+    if (index < 1 || index > most_snapshots) return {.error = no_snapshot(number, path)};
     const Setup setup = read_snapshot(index, path, state.error);
     return {true, arguments_of(setup, set_option), arguments_of(setup, ladder_option), state.error};
 }

@@ -116,40 +116,41 @@ content::Image draw_picture(Runtime& runtime, Frame frame, const gl::Target& tar
                  [&] { return gl::read_rgba8(surface.framebuffer, width, height, target.samples, target.pixels); });
 }
 
-content::ImageResult scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps,
-                                   std::string& messages) {
+DrawnScene scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps) {
+    DrawnScene drawn;
     Diagnostics wrong;
     const auto choose = [&](const Scene& read, Rungs& rungs) {
         for (const std::string& rung : wanted.ladders) choose_rung(rungs, read, rung, wrong);
     };
     const auto document =
         open_document(scene, caps, choose, nullptr, {}, access_to(scene, wanted.access, wanted.grade));
-    messages += render(document->diagnostics, document->sources);
-    if (!document->runtime) return {};
+    drawn.messages = render(document->diagnostics, document->sources);
+    drawn.misfit = wrong.has_errors();
+    if (!document->runtime) return drawn;
     Controls controls = document->controls;
     for (const std::string& set : wanted.sets) set_control(controls, document->scene(), set, wrong);
-    messages += render(wrong, document->sources);
-    if (document->diagnostics.has_errors() || wrong.has_errors()) return {};
+    drawn.messages += render(wrong, document->sources);
+    drawn.misfit = wrong.has_errors();
+    if (document->diagnostics.has_errors() || drawn.misfit) return drawn;
     const auto [width, height] =
         wanted.size.value_or(std::pair(document->scene().window_size[0], document->scene().window_size[1]));
     Runtime& runtime = *document->runtime;
     const gl::Target target = gl::make_target(width, height, wanted.samples, runtime.display_pixels());
     if (!target.framebuffer) {
-        messages += "snell: error: this OpenGL gives no picture of this size\n";
-        return {};
+        drawn.messages += "snell: error: this OpenGL gives no picture of this size\n";
+        return drawn;
     }
     const View view;
     Frame frame{wanted.time, view, controls};
-    content::ImageResult result;
-    result.image = draw_picture(runtime, frame, target, {.width = width, .height = height}, {});
+    drawn.picture.image = draw_picture(runtime, frame, target, {.width = width, .height = height}, {});
     frame.standing = true;
     FloatPicture floats;
     std::vector<float> rgba;
     if (floats.resize(width, height)) floats.draw(runtime, frame, rgba);
-    const auto channels = static_cast<std::size_t>(result.image->channels);
+    const auto channels = static_cast<std::size_t>(drawn.picture.image->channels);
     for (std::size_t i = 0; i < rgba.size(); ++i)
-        if (i % 4 < 3 && std::isnan(rgba[i])) result.replaced.push_back(i / 4 * channels + i % 4);
-    return result;
+        if (i % 4 < 3 && std::isnan(rgba[i])) drawn.picture.replaced.push_back(i / 4 * channels + i % 4);
+    return drawn;
 }
 
 Painting::Painting(const std::string& file, const PictureSize& size, const Tiling& tiling, bool transparent,

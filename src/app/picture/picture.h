@@ -50,12 +50,15 @@ struct ScenePicture {
     Access access;
     bool grade = false;
 };
+struct DrawnScene {
+    content::ImageResult picture;  // without an image if the scene has errors or a value does not fit
+    std::string messages;          // errors and warnings
+    bool misfit = false;           // a value or a rung of `wanted` does not fit
+};
 
-// Draws the scene as `snell render` does to a file of bytes, and adds its errors and warnings to `messages`, as text.
-// Needs a current context. There is no image if the scene has errors or a value does not fit. NaN, which bytes cannot
-// hold, is in `replaced`.
-content::ImageResult scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps,
-                                   std::string& messages);
+// Draws the scene as `snell render` does to a file of bytes. Needs a current context. NaN, which bytes cannot hold, is
+// in the picture's `replaced`.
+DrawnScene scene_picture(const std::string& scene, const ScenePicture& wanted, const gl::Caps& caps);
 
 // Draws a picture part by part into its file, so that pictures of any size need little memory.
 

@@ -17,14 +17,14 @@ void Measuring::begin_scene(const std::string& scene) {
 void Measuring::leave() {
     accuracy_.leave();
     found_.leave();
-    states_.leave();
 }
 
 bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
     const bool found = found_.follow(scene, stale, stand, still, memory.accuracy);
     AccuracyView::Pair pair;
-    if (found_.rung() || (states_.active() && !states_.with_reference()))
+    const bool both = states_.active() && states_.shows(false) && states_.shows(true);
+    if (found_.rung() || (both && !states_.with_reference()))
         pair = {&shown(scene), found_.rung() ? &scene : &states_.right(scene), showing()};
     accuracy_.follow(scene, stale, stand, memory.accuracy, pair);
     Document& document = shown(scene);
@@ -36,7 +36,9 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
     // The half under the pointer.
     const std::optional<int> column = divider(stand.width, memory.accuracy);
     const bool right = column && memory.pixels.x * density >= *column;
-    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, memory.pixels, density,
+    ui::PixelMemory asked = memory.pixels;
+    asked.inspecting &= !column || found_.rung() || states_.shows(right);
+    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density,
                           column ? right ? "right" : "left" : "") ||
            opened || texels || found;
 }
@@ -57,6 +59,7 @@ std::string Measuring::serve(const ui::Requests& requests, Document* document, c
                              ui::Memory& memory) {
     if (requests.measure) accuracy_.measure(memory.accuracy);
     if (requests.measure_frame) frame_costs_.measure();
+    if (requests.store_snapshot > 0) states_.reread_snapshots();
     if (requests.find_rungs || requests.show_rung) accuracy_.leave_pair();
     if (document) found_.serve(requests, *document, display.drawn().stand, memory);
     return requests.copy_rung ? found_.command() : "";

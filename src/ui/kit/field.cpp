@@ -64,12 +64,13 @@ bool apply(double& value, double entered) {
 
 }  // namespace
 
-bool focusable(const ImRect& box, ImGuiID id, bool value) {
+bool focusable(const ImRect& box, ImGuiID id, Focus::Kind kind) {
     Focus& focus = kit().focus;
     if (!reachable()) return false;
-    focus.stops.push_back({id, value});
+    focus.stops.push_back({id, kind});
     if (focus.at != id) return false;
     focus.passed = true;
+    focus.box = {box.Min.x, box.Min.y, box.GetWidth(), box.GetHeight()};
     if (focus.tabbed) ImGui::ScrollToRect(ImGui::GetCurrentWindow(), box);
     return true;
 }
@@ -85,6 +86,27 @@ void draw_focus(const ImRect& box, ImGuiID id) {
     const float width = std::max(1.F, std::round(ImGui::GetFontSize() / 8)), gap = width;
     ImGui::GetWindowDrawList()->AddRect({box.Min.x - gap, box.Min.y}, box.Max, ImGui::GetColorU32(palette().accent),
                                         ImGui::GetStyle().FrameRounding, 0, width);
+}
+
+bool text_field(const char* id, const char* hint, std::span<char> text, ImGuiInputTextFlags flags) {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImRect box(at, {at.x + ImGui::CalcItemWidth(), at.y + ImGui::GetFrameHeight()});
+    const ImGuiID item = ImGui::GetID(id);
+    Focus& focus = kit().focus;
+    const bool enter = pressed(Key::enter) || pressed(Key::keypad_enter);
+    if (focusable(box, item, Focus::Kind::text) && (focus.opens || (!g.IO.WantTextInput && enter))) {
+        focus.opens = false;
+        take(Key::enter);
+        take(Key::keypad_enter);
+        g.NavActivateInputId = item;
+        g.NavActivateFlags = ImGuiActivateFlags_None;
+    }
+    const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), text.size(), flags);
+    g.NavActivateInputId = 0;
+    if (ImGui::IsItemActive() && focus.at != item) take_focus(item);
+    if (!ImGui::IsItemActive()) draw_focus(box, item);
+    return changed;
 }
 
 double key_steps(ImGuiID id) {

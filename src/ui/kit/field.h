@@ -4,13 +4,16 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <span>
+
 #include "src/plan/values/controls.h"
+#include "src/ui/kit/kit.h"
 
 namespace snell::ui {
 
 // Adds a value, or what keys only press, to the order of Tab. Call it for each in the order on screen, also while it is
 // scrolled out of view. Returns true if it has the keyboard's focus.
-bool focusable(const ImRect& box, ImGuiID id, bool value = true);
+bool focusable(const ImRect& box, ImGuiID id, Focus::Kind kind = Focus::Kind::value);
 void take_focus(ImGuiID id);
 // Draws a ring around the widget if it has the focus.
 void draw_focus(const ImRect& box, ImGuiID id);
@@ -24,6 +27,10 @@ bool is_typed(ImGuiID id);
 // Draws the field in place of the widget. Returns true if the user entered another number: with Enter, with Tab, or by
 // leaving the field. A text that is not a number keeps the field open, or leaves the value as it was.
 bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type);
+
+// Draws a field for text, with `hint` while it is empty, as wide as ImGui::SetNextItemWidth says. It opens when Tab
+// reaches it. Returns what ImGui::InputText does.
+bool text_field(const char* id, const char* hint, std::span<char> text, ImGuiInputTextFlags flags = 0);
 
 struct NumberStyle {
     double speed = .01;  // per point of a drag, and per press of an arrow key

@@ -59,12 +59,13 @@ const Focus::Stop* next_stop(const Focus& focus) {
     const ImGuiIO& io = ImGui::GetIO();
     const std::size_t count = focus.stops.size();
     const auto found = ranges::find(focus.stops, focus.at, &Focus::Stop::id);
-    const bool values = io.WantTextInput || found == focus.stops.end();
+    const bool text = found != focus.stops.end() && found->kind == Focus::Kind::text;
+    const bool values = !ImGui::GetTopMostPopupModal() && ((io.WantTextInput && !text) || found == focus.stops.end());
     std::size_t at = static_cast<std::size_t>(found - focus.stops.begin());
     if (at == count && !io.KeyShift) at = count - 1;  // the next one is the first
     for (std::size_t i = 0; i < count; ++i) {
         at = (at + (io.KeyShift ? count - 1 : 1)) % count;
-        if (focus.stops[at].value || !values) return &focus.stops[at];
+        if (focus.stops[at].kind == Focus::Kind::value || !values) return &focus.stops[at];
     }
     return count == 0 || io.WantTextInput ? nullptr : &(io.KeyShift ? focus.stops.back() : focus.stops.front());
 }
@@ -75,9 +76,9 @@ void move_focus(Focus& focus) {
     const Focus::Stop* next = tab ? next_stop(focus) : nullptr;
     focus.tabbed = next != nullptr;
     if (next) {
-        focus.opens = io.WantTextInput;
+        focus.opens = io.WantTextInput || next->kind == Focus::Kind::text;
         focus.at = next->id;
-        focus.presses = !next->value;
+        focus.presses = next->kind == Focus::Kind::button;
         ImGui::ClearActiveID();
     } else if (!focus.taken && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         focus.at = 0;
@@ -164,8 +165,8 @@ double tip_due() {
     return tip.since + tip_delay - ImGui::GetTime();
 }
 
-void tip(std::string_view text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+void tip(std::string_view text, bool focused) {
+    if (text.empty() || !(focused || ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))) return;
     const ImVec2 min = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
     const ImGuiWindow* window = ImGui::GetCurrentWindow()->RootWindow;
     Tip& next = kit().next_tip;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,14 +46,16 @@ private:
     std::vector<Placed> items_;
 };
 
-// The widget that the keyboard acts on. Tab goes through the widgets in the order in which they are drawn: from a
-// field, and where nothing has the focus, to values only, and from there to buttons and drop-downs as well.
+// The widget that the keyboard acts on. Tab goes through the widgets in the order in which they are drawn: from the
+// field of a value, and where nothing has the focus, to values only, and from there, and in dialogs, to all.
 struct Focus {
+    enum class Kind : std::uint8_t { value, text, button };  // a button is also a row, a drop-down, a check box
     struct Stop {
         unsigned id = 0;
-        bool value = true;  // a button or a drop-down is none
+        Kind kind = Kind::value;
     };
     unsigned at = 0;          // id of the widget; 0 if there is none
+    Rect box;                 // of the widget, where it was drawn last
     bool tabbed = false;      // Tab moved it here, so the widget is scrolled into view
     bool opens = false;       // the widget opens its field
     bool presses = false;     // Enter and the space bar press the widget, and do nothing else

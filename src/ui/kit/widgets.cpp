@@ -27,6 +27,13 @@ void follow(float width, float gap) {
     if (ImGui::GetItemRectMax().x + before + width <= end) ImGui::SameLine(0, gap);
 }
 
+bool has_room(const Rect& picture, float letters) { return picture.width >= letters * ImGui::GetFontSize(); }
+
+Rect with_room(Rect picture) {
+    if (!has_room(picture)) picture.width = ImGui::GetIO().DisplaySize.x - picture.x;
+    return picture;
+}
+
 void to_right(float width) {
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowContentRegionMax().x - width));
 }
@@ -47,12 +54,19 @@ bool pressing() {
 
 }  // namespace
 
-bool or_keys(bool clicked) {
+bool or_keys(bool clicked, unsigned id) {
     const ImRect box(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
-    const ImGuiID id = ImGui::GetItemID();
-    const bool focused = focusable(box, id, false);
+    if (id == 0) id = ImGui::GetItemID();
+    const bool focused = focusable(box, id, Focus::Kind::button);
     draw_focus(box, id);
     return (focused && pressing()) || clicked;
+}
+
+bool selectable(const char* text, bool chosen, int flags, const ImVec2& size) {
+    const bool clicked = ImGui::Selectable(text, chosen, flags, size), pressed = or_keys(clicked);
+    const bool popup = (ImGui::GetCurrentWindow()->Flags & ImGuiWindowFlags_Popup) != 0;
+    if (pressed && !clicked && popup && (flags & ImGuiSelectableFlags_DontClosePopups) == 0) ImGui::CloseCurrentPopup();
+    return pressed;
 }
 
 bool button(const char* text, Layout& layout, std::string_view name) {
@@ -72,7 +86,37 @@ void label(const char* text) {
     ImGui::SameLine();
 }
 
+namespace {
+
+bool has_decimals(std::string_view text) {
+    const auto digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+        if (text[i] == '.' && digit(i - 1) && digit(i + 1)) return true;
+    return false;
+}
+
+}  // namespace
+
+std::string broken_at_blanks(std::string_view text, float width) {
+    std::string lines(text);
+    std::size_t begin = 0, blank = std::string::npos;
+    for (std::size_t i = 0; i <= lines.size(); ++i) {
+        if (i < lines.size() && lines[i] != ' ' && lines[i] != '\n') continue;
+        if (blank != std::string::npos && width_of(std::string_view(lines).substr(begin, i - begin)) > width) {
+            lines[blank] = '\n';
+            begin = blank + 1;
+        }
+        blank = i;
+        if (i < lines.size() && lines[i] == '\n') begin = i + 1;
+        if (begin == i + 1) blank = std::string::npos;
+    }
+    return lines;
+}
+
 void wrapped(std::string_view text, bool dim) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::string lines;
+    if (width_of(text) > width && has_decimals(text)) text = lines = broken_at_blanks(text, width);
     ImGui::PushTextWrapPos(0);
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(dim ? ImGuiCol_TextDisabled : ImGuiCol_Text));
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -142,9 +186,18 @@ bool toggled_by_keys(bool open) {
 }
 
 bool switch_box(const char* text, bool& on) {
-    const bool clicked = ImGui::Checkbox(text, &on);
-    const bool switched = or_keys(clicked);
-    if (switched && !clicked) on = !on;
+    const std::string_view all(text), shown = all.substr(0, all.find("##"));
+    const bool wraps = check_box_width(shown) > ImGui::GetContentRegionAvail().x + .5F;
+    if (wraps) ImGui::BeginGroup();
+    bool box = on;
+    bool switched = or_keys(ImGui::Checkbox(wraps ? Text("##{}", all).c_str() : text, &box));
+    if (wraps) {
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        wrapped(shown);
+        switched |= ImGui::IsItemClicked();
+        ImGui::EndGroup();
+    }
+    if (switched) on = !on;
     return switched;
 }
 
@@ -212,7 +265,7 @@ bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::siz
     const Rect box{at.x, at.y, ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
     const ImRect whole(at, {box.x + box.width, box.y + box.height});
     const ImGuiID item = ImGui::GetID(id);
-    const bool focused = focusable(whole, item, false), toggled = focused && pressing();
+    const bool focused = focusable(whole, item, Focus::Kind::button), toggled = focused && pressing();
     if (focused && !ImGui::GetIO().WantTextInput) {
         if ((pressed(Key::down, true) || pressed(Key::right, true)) && chosen + 1 < count) ++chosen;
         if ((pressed(Key::up, true) || pressed(Key::left, true)) && chosen > 0) --chosen;

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <imgui.h>
+
 #include "src/plan/values/controls.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/text.h"
@@ -13,18 +15,22 @@
 namespace snell::ui {
 
 class Layout;
+struct Rect;
 
 float width_of(std::string_view text);
 // The width of a button or a check box with this text.
 float button_width(std::string_view label);
 float check_box_width(std::string_view label);
 // Sets the tooltip of the last item, disabled or not. It appears when the pointer has rested there for half a second,
-// below the item or beside the panel, where it covers no neighbour.
-void tip(std::string_view text);
+// below the item or beside the panel, where it covers no neighbour; with `focused` without a pointer, too.
+void tip(std::string_view text, bool focused = false);
 // The same below the item's window, for items that stand above what is read with them.
 void tip_below_window(std::string_view text);
-// Adds the last item to the order of Tab. Returns true if it was clicked, or the keys press it.
-bool or_keys(bool clicked);
+// Adds the last item to the order of Tab, by an id of its own where it has none. Returns true if it was clicked, or the
+// keys press it.
+bool or_keys(bool clicked, unsigned id = 0);
+// Draws a row that can be chosen. Returns true if it was clicked, or the keys press it.
+bool selectable(const char* text, bool chosen = false, int flags = 0, const ImVec2& size = {0, 0});
 // Draws a button and records its place as `name`. Returns true if the user pressed it.
 bool button(const char* text, Layout& layout, std::string_view name);
 // Likewise, placed by follow().
@@ -33,6 +39,8 @@ bool next_button(const char* text, Layout& layout, std::string_view name);
 void keep_wheel();
 // Draws text in front of the next item, which is placed on the same line.
 void label(const char* text);
+// The text with line breaks in place of blanks: Dear ImGui would break at the point of a number, too.
+std::string broken_at_blanks(std::string_view text, float width);
 // Draws text that is wrapped at the right edge.
 void wrapped(std::string_view text, bool dim = false);
 // Places the next item, `width` wide, on the same line if it fits there, otherwise on the next line. `gap` is as for
@@ -40,6 +48,9 @@ void wrapped(std::string_view text, bool dim = false);
 void follow(float width, float gap = -1);
 // Moves the next item, `width` wide, to the right end of the line, where there is room.
 void to_right(float width);
+// Beside a panel of large letters the picture may be too narrow to read anything on it; then the whole window is used.
+bool has_room(const Rect& picture, float letters = 12);
+Rect with_room(Rect picture);
 // Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only
 // at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the
 // hidden part after ##.
@@ -96,7 +107,7 @@ bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::siz
 bool header(const char* title, int flags = 0);
 // Call after a tree node: the keys open and close it from the next frame on. Returns true if they did.
 bool toggled_by_keys(bool open);
-// Draws a check box. Returns true if it was switched.
+// Draws a check box, whose text is wrapped where the line is too short for it. Returns true if it was switched.
 bool switch_box(const char* text, bool& on);
 
 }  // namespace snell::ui

@@ -12,6 +12,7 @@
 #include "parser/text/ranges.h"
 #include "src/content/image/reduced.h"
 #include "src/plan/values/numbers.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/frame_cost.h"
@@ -129,8 +130,7 @@ void rung_table(const Ladder& ladder, const AccuracyFacts& facts, std::size_t& c
         const bool known = point != facts.points.end();
         const bool reference = i + 1 == ladder.rungs.size();
         ImGui::TableNextColumn();
-        if (ImGui::Selectable(rung_text(ladder.rungs[i], reference).c_str(), i == chosen,
-                              ImGuiSelectableFlags_SpanAllColumns))
+        if (selectable(rung_text(ladder.rungs[i], reference).c_str(), i == chosen, ImGuiSelectableFlags_SpanAllColumns))
             chosen = i;
         layout.note("accuracy.rung", ladder.rungs[i]);
         if (known && ImGui::IsItemHovered()) tip(standing_text(*point));
@@ -191,12 +191,11 @@ void state_menu(const StateFacts& facts, const StateFacts::Side& side, bool left
                 Layout& layout) {
     std::string& name = left ? memory.left : memory.right;
     for (const StateFacts::Choice& choice : facts.choices) {
-        if (ImGui::Selectable(choice.text.c_str(), choice.name == side.name)) name = choice.name;
+        if (selectable(choice.text.c_str(), choice.name == side.name)) name = choice.name;
         layout.note(left ? "left" : "right", choice.name);
     }
     ImGui::SetNextItemWidth(12 * ImGui::GetFontSize());
-    if (ImGui::InputTextWithHint("##settings", "values, as uIndex=1.33", memory.settings.data(), memory.settings.size(),
-                                 ImGuiInputTextFlags_EnterReturnsTrue)) {
+    if (text_field("##settings", "values, as uIndex=1.33", memory.settings, ImGuiInputTextFlags_EnterReturnsTrue)) {
         if (memory.settings[0] != '\0') name = memory.settings.data();
         memory.settings.fill('\0');
         ImGui::CloseCurrentPopup();
@@ -274,7 +273,7 @@ void follow_ladder(const Rungs& rungs, AccuracyMemory& memory) {
     memory.rungs = rungs;
 }
 
-void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Requests& requests,
+void accuracy_section(const Facts& facts, Controls& controls, bool moves, AccuracyMemory& memory, Requests& requests,
                       Layout& layout) {
     ImGui::SetNextItemOpen(memory.open);
     memory.open = header("Accuracy");
@@ -288,7 +287,7 @@ void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& me
         show_buttons(memory, layout);
         if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
     }
-    if (facts.animated) {
+    if (moves) {
         switch_box("Pause time", memory.hold_time);
         layout.note("accuracy.hold time");
     }
@@ -304,30 +303,34 @@ void switch_split(AccuracyMemory& memory) {
     memory.show = memory.show == Show::picture ? Show::split : Show::picture;
 }
 
-void state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, Layout& layout) {
+float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory, Layout& layout) {
     using Show = AccuracyMemory::Show;
-    if (!facts.states) return;
+    const Rect scene = with_room(picture);
+    if (!facts.states) return scene.y + scene.height;
     const StateFacts& states = *facts.states;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemSpacing.x, arrow = button_width(" \u25BE");
     const float middle = button_width("\u21C4") + button_width("Heat map") + 2 * gap, pad = .4F * ImGui::GetFontSize();
+    // In the narrowest windows the buttons have a line of their own.
+    const bool two_lines = scene.width < 20 * ImGui::GetFontSize();
     // Each has what it needs, and half of the room at most.
-    const float room = std::max(scene.width - middle - gap - 4 * pad, 2.0F) / 2;
+    const float room = std::max(scene.width - (two_lines ? 0 : middle) - gap - 4 * pad, 2.0F) / 2;
     const auto wide = [&](std::size_t i) { return std::min(room, width_of(states.sides[i].label) + arrow); };
-    const float left = wide(0), all = left + wide(1) + middle + gap + 2 * pad;
+    const float left = wide(0), all = left + wide(1) + (two_lines ? 0 : middle) + gap + 2 * pad;
     const float divider = memory.show == Show::split ? memory.divider : .5F;
     const float x = std::clamp(scene.x + scene.width * divider - left - pad - gap - button_width("\u21C4") / 2,
                                scene.x + pad, std::max(scene.x + pad, scene.x + scene.width - all - pad));
     ImGui::SetNextWindowPos({std::round(x), scene.y + scene.height - pad}, 0, {0, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.PopupRounding);
-    ImGui::SetNextWindowBgAlpha(.85F);
+    ImGui::SetNextWindowBgAlpha(two_lines ? 1.0F : .85F);
     constexpr ImGuiWindowFlags bar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                      ImGuiWindowFlags_NoFocusOnAppearing;
     if (ImGui::Begin("##states", nullptr, bar)) {
         state_button(states, 0, left, memory, layout);
         ImGui::SameLine();
+        if (two_lines) state_button(states, 1, wide(1), memory, layout);
         if (button("\u21C4", layout, "accuracy.swap")) {
             memory.left = states.sides[1].name;
             memory.right = states.sides[0].name;
@@ -336,12 +339,38 @@ void state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, La
         ImGui::SameLine();
         if (button(memory.show == Show::heat ? "Split" : "Heat map", layout, "accuracy.other"))
             memory.show = memory.show == Show::heat ? Show::split : Show::heat;
-        tip("Shows where they differ, or both");
-        ImGui::SameLine();
-        state_button(states, 1, wide(1), memory, layout);
+        tip("Shows where they differ: black is equal, brighter is more, white is as black against white; or both");
+        if (!two_lines) {
+            ImGui::SameLine();
+            state_button(states, 1, wide(1), memory, layout);
+        }
     }
+    const float top = ImGui::GetWindowPos().y;
     ImGui::End();
     ImGui::PopStyleVar(2);
+    return top;
+}
+
+void blank_halves(const Facts& facts, const Rect& scene, const AccuracyMemory& memory) {
+    if (!facts.states) return;
+    const bool split = memory.show == AccuracyMemory::Show::split;
+    const float middle = scene.x + std::round(scene.width * memory.divider), end = scene.x + scene.width;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float em = ImGui::GetFontSize();
+    for (std::size_t i = 0; i < facts.states->sides.size(); ++i) {
+        const StateFacts::Side& side = facts.states->sides[i];
+        if (!side.blank) continue;
+        const float from = split && i == 1 ? middle : scene.x, to = split && i == 0 ? middle : end;
+        list.AddRectFilled({from, scene.y}, {to, scene.y + scene.height}, pack(palette().panel));
+        const std::string text = "No picture of this state\n" + side.label;
+        const float room = std::max(to - from - 2 * em, 1.0F), wrap = std::min(room, 24 * em);
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+        if (room < 4 * em) continue;  // the name of the state has it all the same
+        list.AddText(ImGui::GetFont(), em,
+                     {std::round((from + to - size.x) / 2), std::round(scene.y + (scene.height - size.y) / 3)},
+                     pack(palette().error_text), text.c_str(), nullptr, wrap);
+        if (!split) return;
+    }
 }
 
 void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout) {

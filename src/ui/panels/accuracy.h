@@ -66,7 +66,8 @@ struct StateFacts {
     };
     struct Side {
         std::string name, label;  // what differs: "now: uIndex 1.33"
-        bool failed = false;      // the label says why it is not shown
+        bool failed = false;      // the label says why it is not shown, or only as it was
+        bool blank = false;       // there is no picture of it
     };
     std::vector<Choice> choices;
     std::array<Side, 2> sides;
@@ -84,7 +85,7 @@ struct AccuracyMemory {
     float grabbed = .5F;               // where it was when its drag began
     std::size_t ladder = 0;            // index of the ladder that is plotted: the one changed last
     Rungs rungs;                       // of the last frame
-    bool hold_time = true;             // whether an animated scene is paused while the panel is open
+    bool hold_time = true;             // whether time is paused while the panel is in sight
     AccuracyPlot plot;
 };
 
@@ -93,8 +94,8 @@ inline constexpr double coldest = -3, hottest = 0;
 
 // Plots the ladder that was changed since the last frame. Call it in every frame, whether the panel is in sight or not.
 void follow_ladder(const Rungs& rungs, AccuracyMemory& memory);
-// Draws the panel.
-void accuracy_section(const Facts& facts, Controls& controls, AccuracyMemory& memory, Requests& requests,
+// Draws the panel. `moves`: time or values change by themselves, unless they are paused.
+void accuracy_section(const Facts& facts, Controls& controls, bool moves, AccuracyMemory& memory, Requests& requests,
                       Layout& layout);
 
 std::string milliseconds_text(double milliseconds);
@@ -106,10 +107,13 @@ std::string standing_text(const AccuracyPoint& point);  // such as "worth its ti
 // Draws error over cost, as wide as the panel.
 void accuracy_plot(const std::vector<AccuracyPoint>& points, AccuracyPlot& plot, Layout& layout);
 
-// Draws the names of the two states, by which others are chosen, with buttons that swap them and show the heat map.
-void state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, Layout& layout);
+// Draws the names of the two states, by which others are chosen, with buttons that swap them and show the heat map, and
+// returns where it begins. Without two states that is the end of the picture.
+float state_bar(const Facts& facts, const Rect& scene, AccuracyMemory& memory, Layout& layout);
 // Shows two states side by side, or one picture again.
 void switch_split(AccuracyMemory& memory);
+// Covers a half that there is no picture of, and says so.
+void blank_halves(const Facts& facts, const Rect& scene, const AccuracyMemory& memory);
 // Draws the divider over the picture and lets the user drag it. `scene` is in window coordinates.
 void accuracy_divider(const Rect& scene, AccuracyMemory& memory, Layout& layout);
 

@@ -10,6 +10,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/panels/state.h"
 
@@ -55,8 +56,15 @@ void path_row(const Listing& listing, Memory& memory, Requests& requests, Layout
 
 void draw_picture(const SmallPicture& picture, ImVec2 at, ImVec2 room) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, {at.x + room.x, at.y + room.y}, ImGui::GetColorU32(ImGuiCol_FrameBg));
-    if (picture.texture == 0) return;
+    const ImVec2 end(at.x + room.x, at.y + room.y);
+    list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
+    if (picture.texture == 0) {
+        list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
+        constexpr std::string_view none = "no picture";  // the tooltip says why
+        if (picture.why.empty() || width_of(none) > room.x) return;
+        const ImVec2 middle((at.x + end.x - width_of(none)) / 2, (at.y + end.y - ImGui::GetTextLineHeight()) / 2);
+        return list.AddText(middle, ImGui::GetColorU32(ImGuiCol_TextDisabled), none.data(), none.data() + none.size());
+    }
     const ImVec2 size(std::min(room.x, room.y * picture.shape), std::min(room.y, room.x / picture.shape));
     const ImVec2 from(at.x + (room.x - size.x) / 2, at.y + (room.y - size.y) / 2);
     list.AddImage(reinterpret_cast<ImTextureID>(picture.texture), from, {from.x + size.x, from.y + size.y});
@@ -69,7 +77,9 @@ struct Card {
 };
 
 float card_pad() { return ImGui::GetFontSize() * .4F; }
-float card_width() { return 10 * ImGui::GetFontSize(); }
+float card_width() {
+    return std::max(std::min(10 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x), 3 * ImGui::GetFontSize());
+}
 
 // The lines that a text below a card's title needs.
 int lines_of(std::string_view text) {
@@ -85,7 +95,7 @@ bool card(const Card& shown, bool first) {
     const ImVec2 size(width, above + line * static_cast<float>(1 + shown.lines) + 2 * pad);
     if (!first) follow(width, pad);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool chosen = ImGui::Selectable("##card", false, 0, size);
+    const bool chosen = selectable("##card", false, 0, size);
     if (!ImGui::IsItemVisible()) return chosen;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (shown.picture)
@@ -157,7 +167,7 @@ void start_page(const Facts& facts, Memory& memory, Requests& requests, Layout& 
 
 void places(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
     ImGui::TextDisabled("Places");
-    if (ImGui::Selectable("Home")) open_browser(listing.home, memory, requests);
+    if (selectable("Home")) open_browser(listing.home, memory, requests);
     layout.note("browser.home");
     ImGui::Spacing();
     cards("Recent", "browser.recent", facts.recent, memory, requests, layout);
@@ -211,6 +221,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
         const bool clicked = ImGui::Selectable(
             "##entry", chosen, ImGuiSelectableFlags_DontClosePopups | ImGuiSelectableFlags_AllowDoubleClick,
             {0, entry.folder ? ImGui::GetTextLineHeight() : picture_size().y});
+        const bool keys = or_keys(false);
         layout.note("browser.entry", entry.name);
         if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
         if (!entry.picture.why.empty())
@@ -223,6 +234,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
             browser.chosen = i;
             if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return take(entry, memory, requests);
         }
+        if (keys) return take(entry, memory, requests);
     }
 }
 
@@ -264,8 +276,7 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
     if (browser.focus) ImGui::SetKeyboardFocusHere();
     browser.focus = false;
     ImGui::SetNextItemWidth(-FLT_MIN);
-    bool go = ImGui::InputTextWithHint("##name", "name or path", browser.typed.data(), browser.typed.size(),
-                                       ImGuiInputTextFlags_EnterReturnsTrue);
+    bool go = text_field("##name", "name or path", browser.typed, ImGuiInputTextFlags_EnterReturnsTrue);
     layout.note("browser.name");
     if (ImGui::IsItemEdited()) browser.chosen = 0;
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
@@ -351,7 +362,7 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     ImGui::SetNextWindowSize(size);
     if (!ImGui::BeginPopupModal(title, nullptr,
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar))
+                                    ImGuiWindowFlags_NoSavedSettings))
         return;
     const Listing& listing = *facts.listing;
     pages(listing, memory, requests, layout);
@@ -362,14 +373,16 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     const bool two_rows =
         check_box_width("All files") + button_width("Cancel") + button_width("Open") + 2 * em > size.x - 2 * em;
     const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2);
+    // In the lowest windows all of it scrolls.
+    const float height = std::max(ImGui::GetContentRegionAvail().y - below, 7 * em);
     const float side = !browser.start && size.x > 40 * em ? 11.5F * em : 0;
     if (side > 0) {
-        ImGui::BeginChild("##places", {side, -below});
+        ImGui::BeginChild("##places", {side, height});
         places(facts, listing, memory, requests, layout);
         ImGui::EndChild();
         ImGui::SameLine();
     }
-    ImGui::BeginChild(browser.start ? "##start" : "##entries", {0, -below});
+    ImGui::BeginChild(browser.start ? "##start" : "##entries", {0, height});
     if (browser.start)
         start_page(facts, memory, requests, layout);
     else

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "src/plan/values/numbers.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
@@ -156,21 +157,25 @@ void right_text(const std::string& text, float right) {
 
 // Draws a line of two columns. The tooltip has the full text, `why`, and the place in the files.
 void line(const Facts& facts, const std::string& name, const std::string& amount, const std::string& why,
-          const std::optional<Span>& span) {
+          const std::optional<Span>& span, Layout& layout) {
     const float width = ImGui::GetContentRegionAvail().x, right = ImGui::GetCursorPosX() + width;
     const float taken = amount.empty() ? 0 : width_of(amount) + ImGui::GetStyle().ItemSpacing.x;
     ImGui::BeginGroup();
     fitted(name, width - taken);
     right_text(amount, right);
     ImGui::EndGroup();
-    if (!ImGui::IsItemHovered()) return;
+    const ImGuiID id = ImGui::GetID(name.c_str());
+    or_keys(false, id);
+    layout.note("costs.row", name);
+    const bool focused = kit().focus.at == id;
+    if (!focused && !ImGui::IsItemHovered()) return;
     std::string place;
     if (span && facts.sources) {
         const std::string_view file = facts.sources->name(span->file);
         place = fmt::format("\n{}:{}", file.substr(file.rfind('/') + 1),
                             facts.sources->position(span->file, span->begin).line);
     }
-    tip(Text("{}\n{}{}", name, why, place).view());
+    tip(Text("{}\n{}{}", name, why, place).view(), focused);
 }
 
 std::string amount_of(const Paid& paid) {
@@ -184,8 +189,13 @@ std::string amount_of(const Paid& paid) {
 
 bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout) {
     const float right = ImGui::GetContentRegionMax().x;
-    const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s: %zu", name, count);
+    const Text title("{}: {}", name, count);
+    const float taken = amount.empty() ? 0 : width_of(amount) + ImGui::GetStyle().ItemSpacing.x;
+    const Text shown = shortened(
+        title.view(), std::max(1.0F, ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing() - taken));
+    const bool open = ImGui::TreeNodeEx(name, ImGuiTreeNodeFlags_SpanAvailWidth, "%s", shown.c_str());
     toggled_by_keys(open);
+    if (!(shown == title.view())) tip(title.view());
     layout.note("costs", name);
     right_text(amount, right);
     return open;
@@ -215,7 +225,7 @@ void paid_for(const Facts& facts, Layout& layout) {
             if (paid.kind == kind) {
                 const std::string loaded =
                     paid.load_ms ? fmt::format("\nloading time: {}", milliseconds_text(*paid.load_ms)) : "";
-                line(facts, paid.name, amount_of(paid), paid.why + loaded, paid.span);
+                line(facts, paid.name, amount_of(paid), paid.why + loaded, paid.span, layout);
             }
         ImGui::TreePop();
     }
@@ -231,7 +241,7 @@ void switched_off(const Facts& facts, Layout& layout) {
         for (const auto& part : row.parts)
             what += "\n" + (part.functions.empty() ? fmt::format("{} {}", name(part.kind), part.name)
                                                    : fmt::format("{}, {}", part.name, fmt::join(part.functions, ", ")));
-        line(facts, by, counted(row.parts.size(), "item"), what, row.span);
+        line(facts, by, counted(row.parts.size(), "item"), what, row.span, layout);
     }
     ImGui::TreePop();
 }
@@ -239,12 +249,13 @@ void switched_off(const Facts& facts, Layout& layout) {
 void not_paid_for(const Facts& facts, Layout& layout) {
     const Explanation& explanation = *facts.explanation;
     if (!explanation.unpaid.empty() && branch("Not loaded", explanation.unpaid.size(), "", layout)) {
-        for (const Explanation::Unpaid& unpaid : explanation.unpaid) line(facts, unpaid.name, "", unpaid.why, {});
+        for (const Explanation::Unpaid& unpaid : explanation.unpaid)
+            line(facts, unpaid.name, "", unpaid.why, {}, layout);
         ImGui::TreePop();
     }
     if (!explanation.unused.empty() && branch("Declared but unused", explanation.unused.size(), "", layout)) {
         for (const Explanation::Unused& unused : explanation.unused)
-            line(facts, unused.name, "", unused.why, unused.span);
+            line(facts, unused.name, "", unused.why, unused.span, layout);
         ImGui::TreePop();
     }
 }

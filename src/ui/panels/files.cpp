@@ -18,17 +18,19 @@ constexpr std::array zooms{.5F, .67F, .8F, .9F, 1.0F, 1.1F, 1.25F, 1.5F, 1.75F, 
 
 }  // namespace
 
+bool no_scene_words(Layout& layout) {
+    wrapped("No scene is open.");
+    wrapped("Press Ctrl+O, drop a .glib file on the window, or");
+    return button("Open a scene\u2026", layout, "open scene");
+}
+
 bool no_scene(const Rect& scene, Layout& layout) {
     ImGui::SetNextWindowPos({scene.x + scene.width / 2, scene.y + scene.height / 2}, 0, {.5F, .5F});
     ImGui::SetNextWindowSize({std::min(scene.width, 24 * ImGui::GetFontSize()), 0});
-    bool chosen = false;
-    if (ImGui::Begin("##no scene", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize)) {
-        wrapped("No scene is open.");
-        wrapped("Press Ctrl+O, drop a .glib file on the window, or");
-        chosen = button("Open a scene\u2026", layout, "open scene");
-    }
+    constexpr ImGuiWindowFlags bare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_AlwaysAutoResize;
+    const bool chosen = ImGui::Begin("##no scene", nullptr, bare) && no_scene_words(layout);
     ImGui::End();
     return chosen;
 }
@@ -60,7 +62,8 @@ void files_section(const Facts& facts, Memory& memory, Requests& requests, Layou
         ImGui::PushID(static_cast<int>(i));
         ImGui::Selectable(shortened(file.name, width).c_str());
         Place place{file.path, 1, 1};
-        if (edit_link(facts, place)) requests.edit = std::move(place);
+        const bool keys = or_keys(false);
+        if (edit_link(facts, place) || keys) requests.edit = std::move(place);
         layout.note("file", file.name);
         ImGui::PopID();
     }
@@ -79,10 +82,11 @@ void look_section(Memory& memory, Layout& layout) {
     const std::string percent = fmt::format("{:.0f} %", std::round(memory.zoom * 100));
     const float number = ImGui::CalcTextSize("300 %").x;
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    follow(ImGui::CalcTextSize("Letters").x + number + 2 * button_width("+") + 3 * gap, ImGui::GetFontSize());
+    const float buttons = number + 2 * button_width("+") + 2 * gap;
+    follow(width_of("Letters") + gap + buttons, ImGui::GetFontSize());
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Letters");
-    ImGui::SameLine(0, gap);
+    follow(buttons, gap);
     if (button("\u2212", layout, "smaller")) memory.zoom = next_zoom(memory.zoom, -1);
     ImGui::SameLine(0, gap);
     const float left = ImGui::GetCursorPosX();

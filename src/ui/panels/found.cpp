@@ -11,6 +11,7 @@
 #include "parser/text/ranges.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/panels.h"
 
@@ -94,7 +95,8 @@ void first_line(const FoundRow& row, ImVec2 at, float width, int lines, bool dim
     const float taken = beside ? width_of(time) : 0, gap = beside ? ImGui::GetFontSize() : 0;
     put(shortened(Text("{}  {}", row.name, row.kind).view(), width - taken - gap), at, dim);
     if (beside) return put(Text(time), {at.x + width - taken, at.y}, dim);
-    if (!time.empty()) put(Text("time {}", time), {at.x, at.y + 3 * ImGui::GetTextLineHeight()}, dim);
+    if (!time.empty())
+        put(shortened(Text("time {}", time).view(), width), {at.x, at.y + 3 * ImGui::GetTextLineHeight()}, dim);
 }
 
 void row(const Facts& facts, const FoundRow& row, Requests& requests, Layout& layout) {
@@ -106,8 +108,8 @@ void row(const Facts& facts, const FoundRow& row, Requests& requests, Layout& la
     const float left = ImGui::GetCursorPosX();
     ImGui::PushID(row.name.c_str());
     ImGui::BeginDisabled(facts.found->stale);
-    const bool pressed = ImGui::Selectable("##row", shown, ImGuiSelectableFlags_AllowItemOverlap,
-                                           {width, line * static_cast<float>(lines)});
+    const bool pressed =
+        selectable("##row", shown, ImGuiSelectableFlags_AllowItemOverlap, {width, line * static_cast<float>(lines)});
     const bool over = ImGui::IsItemHovered();
     const ImVec2 below = ImGui::GetCursorPos();
     layout.note("found.row", row.name);
@@ -136,6 +138,8 @@ void rows_of(const Facts& facts, Group group, Requests& requests, Layout& layout
     const int lines = lines_of(group, ImGui::GetContentRegionAvail().x);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count), line * static_cast<float>(lines) + gap);
+    // Tab leads to all of them.
+    if (kit().focus.at != 0) clipper.ForceDisplayRangeByIndices(0, static_cast<int>(count));
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) row(facts, first[i], requests, layout);
     clipper.End();

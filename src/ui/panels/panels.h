@@ -41,6 +41,7 @@ void look_section(Memory& memory, Layout& layout);
 inline bool no_scene_open(const Facts& facts) { return !facts.scene && facts.file.empty(); }
 // Says, in an area without a scene, how to open one. Returns true if the user wants to choose one.
 bool no_scene(const Rect& scene, Layout& layout);
+bool no_scene_words(Layout& layout);  // the same within another window
 // Returns the next larger (`way` = 1) or smaller (`way` = -1) text size.
 float next_zoom(float zoom, int way);
 // Ctrl+O opens the browser; Ctrl with +, - and 0 changes the text size.
@@ -50,6 +51,6 @@ void files_keys(Memory& memory, Requests& requests);
 void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
                     Layout& layout);
 // Shows each message of a MessageBox statement until the user dismisses it.
-void notices(const Facts& facts, const Rect& scene, Memory& memory, Requests& requests, Layout& layout);
+void notices(const Facts& facts, const Rect& picture, float end, Memory& memory, Requests& requests, Layout& layout);
 
 }  // namespace snell::ui

@@ -130,10 +130,12 @@ void flag_counts(const FlagCounts& counts, float room) {
     }
 }
 
-void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout) {
+void flags_legend(const Facts& facts, const Rect& picture, const PixelMemory& memory, Layout& layout) {
     if (!memory.flags || !facts.pixels) return;
+    const Rect scene = with_room(picture);
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({scene.x + scene.width - em * .5F, scene.y + em * .5F}, 0, {1, 0});
+    const float margin = ImGui::GetStyle().WindowPadding.x;
+    ImGui::SetNextWindowPos({scene.x + scene.width - margin, scene.y + margin}, 0, {1, 0});
     ImGui::SetNextWindowBgAlpha(.93F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     if (ImGui::Begin("##legend", nullptr, passive | ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -155,14 +157,16 @@ void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory,
 void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, Layout& layout) {
     if (!pixels.inspection) return;
     const Inspection& found = *pixels.inspection;
-    const float em = ImGui::GetFontSize(), cell = std::round(em * .9F);
-    const float width = cell * static_cast<float>(2 * found.radius + 1) + 14 * em;
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    const float values = line * static_cast<float>(5 + int{found.depth.has_value()} + int{found.distance.has_value()});
-    const ImVec2 size(width + 2 * padding.x,
-                      std::max(cell * static_cast<float>(2 * found.radius + 1), values) + 2.2F * line + 2 * padding.y);
-    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding, all = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize(), lines = 5 + static_cast<float>(found.depth.has_value()) +
+                                                   static_cast<float>(found.distance.has_value());
+    const float pixels_wide = static_cast<float>(2 * found.radius + 1), line = ImGui::GetTextLineHeightWithSpacing();
+    const ImVec2 inner(.9F * em * pixels_wide + 14.5F * em,
+                       std::max(.9F * em * pixels_wide, line * lines) + 2.2F * line);
+    // In the smallest windows its letters are smaller than all others.
+    const float shrunk = std::min({1.0F, (all.x - 2 * padding.x) / inner.x, (all.y - 2 * padding.y) / inner.y});
+    const float width = shrunk * inner.x, cell = std::floor(shrunk * std::round(.9F * em));
+    const ImVec2 size(width + 2 * padding.x, shrunk * inner.y + 2 * padding.y);
     const bool fits = size.x <= scene.width && size.y <= scene.height;  // otherwise the box may cover the panel
     const ImVec2 at = beside(ImGui::GetIO().MousePos, size, fits ? scene : Rect{0, 0, all.x, all.y}, 1.5F * em);
     ImGui::SetNextWindowPos(at);
@@ -170,7 +174,10 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x * shrunk, spacing.y * shrunk});
     if (ImGui::Begin("##inspector", nullptr, passive)) {
+        ImGui::SetWindowFontScale(shrunk);
         ImGui::BeginGroup();
         magnified(found, cell);
         ImGui::EndGroup();
@@ -189,7 +196,7 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
     }
     layout.place_window("inspector");
     ImGui::End();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
     ImGui::PopStyleColor();
 }
 

@@ -62,7 +62,8 @@ void show(const Facts& facts, const Problem& problem, std::size_t number, Reques
         const std::string name = fmt::format("problem.{}", number);
         layout.note(name);
         layout.place(name + ".place", underline(finding));
-        if (edit_link(facts, problem.place, true)) requests.edit = problem.place;
+        const bool keys = or_keys(false, ImGui::GetID(name.c_str()));
+        if (edit_link(facts, problem.place, true) || keys) requests.edit = problem.place;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0});
     show_details(finding);
@@ -103,18 +104,12 @@ bool right_button(const char* text, Layout& layout, const char* name) {
     return button(text, layout, name);
 }
 
-// Beside a panel of large letters the picture may be too narrow to read anything on it; then the whole window is used.
-Rect with_room(Rect picture) {
-    if (picture.width < 12 * ImGui::GetFontSize()) picture.width = ImGui::GetIO().DisplaySize.x - picture.x;
-    return picture;
-}
-
 constexpr float most_problems = .9F;  // of the picture's height
 
-// The lower edge of the list, by which the user sizes it.
+// Below the list, by which the user sizes it.
 void problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layout) {
     const float grip = std::round(ImGui::GetFontSize() * .5F), margin = ImGui::GetStyle().WindowPadding.x;
-    ImGui::SetNextWindowPos({scene.x + margin, bottom - std::round(grip / 2)});
+    ImGui::SetNextWindowPos({scene.x + margin, bottom});
     ImGui::SetNextWindowSize({scene.width - 2 * margin, grip});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -128,11 +123,12 @@ void problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layo
         if (held)
             memory.problems_height = std::clamp(
                 (ImGui::GetIO().MousePos.y - scene.y - margin) / std::max(scene.height, 1.0F), .1F, most_problems);
-        const float middle = scene.x + scene.width / 2, reach = 1.5F * ImGui::GetFontSize(), y = bottom - 3;
-        ImGui::GetWindowDrawList()->AddRectFilled({middle - 1.2F * reach, y - 4}, {middle + 1.2F * reach, y + 3},
-                                                  ImGui::GetColorU32(palette().problem_background));
-        ImGui::GetWindowDrawList()->AddLine({middle - reach, y}, {middle + reach, y},
-                                            ImGui::GetColorU32(palette().problem_text), 2);
+        const float middle = scene.x + scene.width / 2, reach = 1.5F * ImGui::GetFontSize(), y = bottom + grip / 2;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled({middle - 1.2F * reach, bottom}, {middle + 1.2F * reach, bottom + grip},
+                           ImGui::GetColorU32(palette().problem_background), ImGui::GetStyle().FrameRounding,
+                           ImDrawFlags_RoundCornersBottom);
+        list.AddLine({middle - reach, y}, {middle + reach, y}, ImGui::GetColorU32(palette().problem_text), 2);
     }
     ImGui::End();
     ImGui::PopStyleVar(3);
@@ -181,12 +177,15 @@ template <typename Buttons>
 void message_box(std::string_view text, const ImVec4& color, int index, const Rect& scene, float& bottom,
                  float buttons_width, const Buttons& buttons) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
+    if (bottom - scene.y < 4 * ImGui::GetFontSize()) return;  // there is room once those below it are answered
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
     const float width = std::min(scene.width - 2 * margin, 30 * ImGui::GetFontSize());
-    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height});
-    if (ImGui::Begin(fmt::format("##message{}", index).c_str(), nullptr, overlay | ImGuiWindowFlags_AlwaysAutoResize)) {
+    const float room = bottom - scene.y - margin;
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(room, 1.0F)});
+    if (ImGui::Begin(fmt::format("##message{}", index).c_str(), nullptr,
+                     (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
         ImGui::PushTextWrapPos(width - buttons_width - 2 * margin);
         ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -233,8 +232,8 @@ bool failure_box(const Failure& failure, const Rect& scene, float& bottom, Reque
 
 // True if what could not be done has become needless.
 bool mended(const Failure& failure, bool read_again, bool changed) {
-    if (failure.remedy == Remedy::reload) return read_again;
-    return (failure.remedy == Remedy::save || failure.remedy == Remedy::save_as) && !changed;
+    if (failure.remedy == Remedy::reload || failure.remedy == Remedy::save_as) return read_again;
+    return failure.remedy == Remedy::save && !changed;
 }
 
 }  // namespace
@@ -258,9 +257,9 @@ void problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts,
     pop_dark();
 }
 
-void notices(const Facts& facts, const Rect& picture, Memory& memory, Requests& requests, Layout& layout) {
+void notices(const Facts& facts, const Rect& picture, float end, Memory& memory, Requests& requests, Layout& layout) {
     const Rect scene = with_room(picture);
-    float bottom = scene.y + scene.height - ImGui::GetStyle().WindowPadding.x;
+    float bottom = end - ImGui::GetStyle().WindowPadding.x;
     int index = 0;
     if (!memory.failure.text.empty() && failure_box(memory.failure, scene, bottom, requests, layout))
         memory.failure = {};

@@ -446,7 +446,7 @@ void filter_row(const Controls& controls, Memory& memory, Layout& layout) {
     const bool filtered = memory.filter[0] != '\0';
     const float clear = filtered ? button_width("\u00d7") + ImGui::GetStyle().ItemInnerSpacing.x : 0;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - clear);
-    ImGui::InputTextWithHint("##filter", "Filter by name", memory.filter.data(), memory.filter.size());
+    text_field("##filter", "Filter by name", memory.filter);
     if (ImGui::IsItemDeactivated() && pressed(Key::escape)) memory.filter = {};
     layout.note("filter");
     if (!filtered) return;

@@ -9,6 +9,7 @@
 
 #include "parser/text/words.h"
 #include "src/plan/values/numbers.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
@@ -70,8 +71,8 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     wrapped(words.label);
     if (fresh) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool entered = ImGui::InputText("##name", dialog.file.data(), dialog.file.size(),
-                                          ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered =
+        text_field("##name", "", dialog.file, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     layout.note(words.name + " file");
     tip(words.tip);
     if (!dialog.folder.empty()) {
@@ -129,6 +130,7 @@ constexpr double most_pictures = 1e6, largest = 1e6;
 void row(const char* name, const char* help = nullptr) {
     label(name);
     if (help) tip(help);
+    if (ImGui::GetContentRegionMax().x < 14 * ImGui::GetFontSize()) return ImGui::NewLine();
     ImGui::SameLine(std::min(7 * ImGui::GetFontSize(), .35F * ImGui::GetContentRegionMax().x));
 }
 
@@ -184,7 +186,7 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
         fmt::format("{}, the last at {:.6g} s", counted(static_cast<std::size_t>(count), "picture"),
                     picture.from + (count - 1) / picture.rate);
     follow(width_of(told));
-    ImGui::TextDisabled("%s", told.c_str());
+    wrapped(told, true);
 }
 
 void answers(PictureMemory& picture, bool moves, bool entered, Requests& requests, Layout& layout) {
@@ -221,8 +223,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     const bool free =
         !ImGui::IsAnyItemActive() && !kit().typing.id && (pressed(Key::enter) || pressed(Key::keypad_enter));
     const bool entered =
-        ImGui::InputText("##file", picture.file.data(), picture.file.size(), ImGuiInputTextFlags_EnterReturnsTrue) ||
-        (free && kit().focus.at == 0);
+        text_field("##file", "", picture.file, ImGuiInputTextFlags_EnterReturnsTrue) || (free && kit().focus.at == 0);
     layout.note("picture file");
     if (!picture.folder.empty()) {
         row("");

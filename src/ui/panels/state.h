@@ -138,6 +138,7 @@ struct Memory {
     std::set<std::string> logarithmic;
     std::vector<Animated> animated;  // the sliders that move by themselves
     bool animating() const { return !animated.empty(); }
+    bool accuracy_in_sight() const { return accuracy.open && tab == Tab::tools && panel; }
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
     std::string notice;             // the outcome of the last request
     Failure failure;

@@ -32,7 +32,7 @@ void list(std::span<const TextureRow> rows, std::size_t shown, TextureMemory& me
         const float width = ImGui::GetContentRegionAvail().x, taken = width_of(remark) + ImGui::GetFontSize() * .5F;
         const ImVec2 at = ImGui::GetCursorPos();
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable("##row", i == shown)) {
+        if (selectable("##row", i == shown)) {
             if (i != shown) memory.level = memory.slice = 0;
             memory.chosen = row.name;
         }

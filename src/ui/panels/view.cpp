@@ -112,7 +112,7 @@ void background_row(const Scene& scene, View& view, Memory& memory, Layout& layo
 void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout) {
     if (!facts.scene || !section("View", memory.open, layout, "view")) return;
     background_row(*facts.scene, view, memory, layout);
-    ImGui::TextDisabled("mouse and numbers change");
+    wrapped("mouse and numbers change", true);
     target_row(view, memory.hold, layout);
     if (memory.hold.held == Held::object) {
         fitted(facts.object, ImGui::GetContentRegionAvail().x);

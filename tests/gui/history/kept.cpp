@@ -189,6 +189,12 @@ TEST_F(Past, ASceneIsRescuedFromARenamedFolder) {
     press("ctrl+s");
     EXPECT_NE(state()["failure"].get<std::string>().find("one.glib is gone"), std::string::npos) << state()["failure"];
     EXPECT_EQ(state()["failure"].get<std::string>().find(file("")), std::string::npos) << "the file, not its path";
+    click("failure.ok");
+    press("ctrl+z");
+    press("ctrl+s");
+    EXPECT_NE(state()["failure"].get<std::string>().find("one.glib is gone"), std::string::npos) << "nothing changed";
+    press("ctrl+y");
+    ASSERT_EQ(red(), slid);
     click("failure.save as");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
     press("Return");

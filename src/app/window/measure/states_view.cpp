@@ -27,37 +27,52 @@ std::string shown_name(const std::string& name) {
 void StatesView::follow(Document& scene, const Earlier& earlier, std::uint64_t revision,
                         const ui::AccuracyMemory& memory) {
     active_ = memory.show != ui::AccuracyMemory::Show::picture;
-    if (!active_) return leave();
+    if (!active_) {
+        halves_ = {};
+        return;
+    }
     const std::array<std::string, 2> names{memory.left.empty() ? std::string(state_now) : memory.left,
                                            memory.right.empty() ? usual(scene.scene()) : memory.right};
     for (std::size_t i = 0; i < halves_.size(); ++i) {
         Half& half = halves_[i];
         if (half.name != names[i] || half.revision != revision) {
-            half = {.name = names[i], .revision = revision};
-            make(half, scene, earlier);
+            Half next = made(names[i], scene, earlier);
+            if (next.error.empty()) next.error = set_values(next, scene);
+            if (!next.error.empty()) next.document.reset();
+            if (!next.shows() && half.name == next.name && half.document)
+                half.error = std::move(next.error);
+            else
+                half = std::move(next);
+            half.revision = revision;
             ++showings_;
         }
         set_values(half, scene);
     }
 }
 
+void StatesView::reread_snapshots() {
+    for (Half& half : halves_)
+        if (half.name.starts_with(state_snapshot)) half.revision = 0;
+}
+
 bool StatesView::with_reference() const { return halves_[0].name == state_now && halves_[1].name == state_reference; }
 
-void StatesView::make(Half& half, Document& scene, const Earlier& earlier) {
-    if (half.name == state_now) return;
+StatesView::Half StatesView::made(const std::string& name, Document& scene, const Earlier& earlier) const {
+    Half half{.name = name};
+    if (half.name == state_now) return half;
     const TextState* const texts = half.name == opened        ? &earlier.opened
                                    : half.name == before_edit ? &earlier.before_edit
                                                               : nullptr;
     if (texts && texts->texts.empty()) {
         half.error = "there is no state before an edit";
-        return;
+        return half;
     }
     half.fixed = half.name == opened;
     if (half.fixed) half.setup = texts->setup;
     if (!texts) half.state = named_state(half.name, scene.path, scene.scene());
     half.fixed |= half.state.written;
     half.error = half.state.error;
-    if (!half.error.empty()) return;
+    if (!half.error.empty()) return half;
     const auto choose = [&](const Scene& other, Rungs& rungs) {
         if (!half.fixed) carry_over(scene.controls.rungs, scene.scene(), rungs, other);
         apply_setup(half.setup, other, rungs);
@@ -65,11 +80,12 @@ void StatesView::make(Half& half, Document& scene, const Earlier& earlier) {
     };
     half.document =
         open_beside(scene, caps_, choose, texts ? texts->texts : std::map<std::string, std::string>{}, half.error);
+    return half;
 }
 
 // Sliders act on what follows the scene.
-void StatesView::set_values(Half& half, Document& scene) {
-    if (!half.document) return;
+std::string StatesView::set_values(Half& half, Document& scene) {
+    if (!half.document) return {};
     Document& document = *half.document;
     Controls wanted = document.controls;
     if (!half.fixed) {
@@ -85,9 +101,9 @@ void StatesView::set_values(Half& half, Document& scene) {
         if (!half.fixed) carry_over(scene.controls, scene.scene(), wanted, document.scene());
     }
     apply_setup(half.setup, document.scene(), wanted);
-    if (std::string error = apply_state(half.state, document.scene(), wanted); !error.empty())
-        half.error = std::move(error);
+    std::string misfit = apply_state(half.state, document.scene(), wanted);
     document.controls = std::move(wanted);
+    return misfit;
 }
 
 const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier, const std::array<bool, 10>& snapshots,
@@ -112,21 +128,29 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
         return setup_of(document.scene(), document.controls);
     };
     const StateDifference differ = difference(setup(halves_[0]), setup(halves_[1]));
+    // States of other texts may differ in these.
+    const bool same =
+        differ.left.empty() && halves_[0].name != halves_[1].name && ranges::all_of(halves_, [](const Half& half) {
+            return half.error.empty() && half.name != opened && half.name != before_edit;
+        });
     for (const std::size_t i : {0, 1}) {
         const Half& half = halves_[i];
         const std::string& values = i == 0 ? differ.left : differ.right;
         ui::StateFacts::Side& side = facts_.sides[i];
         side.name = half.name;
         const bool settings = half.name.find('=') != std::string::npos;  // the values say it already
-        side.label = !half.error.empty() ? half.error
-                     : values.empty()    ? shown_name(half.name)
-                     : settings          ? values
-                                         : shown_name(half.name) + ": " + values;
+        side.label = !half.shows()    ? fmt::format("{}: {}", shown_name(half.name), half.error)
+                     : values.empty() ? shown_name(half.name)
+                     : settings       ? values
+                                      : shown_name(half.name) + ": " + values;
         side.failed = !half.error.empty();
+        side.blank = !half.shows();
+        if (same && i == 1) side.label += ": the same";
+        if (side.failed && !side.blank) side.label += fmt::format(", last good picture: {}", half.error);
     }
     if (found.empty()) return &facts_;
-    facts_.sides[0].label = found;
-    facts_.sides[1].label = "the scene as it is";
+    facts_.sides[0] = {facts_.sides[0].name, found};
+    facts_.sides[1] = {facts_.sides[1].name, "the scene as it is"};
     return &facts_;
 }
 

@@ -18,14 +18,18 @@ public:
     explicit StatesView(const gl::Caps& caps) : caps_(caps) {}
 
     // Call it before a picture is drawn: makes the documents of the states that memory.left and memory.right name, and
-    // gives them the values that they have now. `revision` is that of the session.
+    // gives them the values that they have now. `revision` is that of the session. A half whose state can't be made any
+    // more, as after a broken edit, keeps the one that it has.
     void follow(Document& scene, const Earlier& earlier, std::uint64_t revision, const ui::AccuracyMemory& memory);
-    // Call it before the document of the scene is destroyed.
-    void leave() { halves_ = {}; }
+    // A snapshot was stored.
+    void reread_snapshots();
 
     // The documents of the halves: that of the scene where the state is what it is now.
     Document& left(Document& scene) { return of(halves_[0], scene); }
     Document& right(Document& scene) { return of(halves_[1], scene); }
+    // Whether there is a picture of that half: there is none of a state that could never be made. left() and right()
+    // are the scene's document then.
+    bool shows(bool right) const { return halves_[right ? 1 : 0].shows(); }
     bool active() const { return active_; }
     // True if the right half is the reference and the left one the scene: what Refinement compares by itself.
     bool with_reference() const;
@@ -45,11 +49,14 @@ private:
         Setup setup;                         // of a state that is not made of a name
         bool fixed = false;                  // it does not follow the scene's values
         std::unique_ptr<Document> document;  // null: the scene's own
-        std::string error;
+        std::string error;                   // why there is no document, or only an earlier one
+
+        bool shows() const { return document || error.empty(); }
     };
     static Document& of(Half& half, Document& scene) { return half.document ? *half.document : scene; }
-    void make(Half& half, Document& scene, const Earlier& earlier);
-    static void set_values(Half& half, Document& scene);
+    Half made(const std::string& name, Document& scene, const Earlier& earlier) const;
+    // Returns why a value does not fit, or "".
+    static std::string set_values(Half& half, Document& scene);
 
     gl::Caps caps_;
     bool active_ = false;
