@@ -155,7 +155,7 @@ TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
     user("key Return");
     settle();
     right_is_blank("a uniform that is not there");
-    EXPECT_TRUE(label(1).starts_with("uReed=0.9: there is no uniform 'uReed'")) << label(1);
+    EXPECT_EQ(label(1), "uReed=0.9: there is no uniform 'uReed'; did you mean 'uRed'?");
     // There is nothing to magnify.
     const std::array<double, 4> area = state()["scene"];
     user("mousemove " + std::to_string(static_cast<int>(area[2] / 2) + 30) + " " +

@@ -28,7 +28,9 @@ NamedState of_settings(std::string_view text, const Scene& scene) {
 }
 
 std::string first_message(const Diagnostics& diagnostics) {
-    return diagnostics.items().empty() ? "" : diagnostics.items().front().message;
+    if (diagnostics.items().empty()) return "";
+    const Diagnostic& first = diagnostics.items().front();
+    return first.help.empty() ? first.message : first.message + "; " + first.help;
 }
 
 // "1.33" of "1.3300000000000001", and "1 .5 0" of "1,0.5,0".
