@@ -164,6 +164,10 @@ private:
             }
         };
         document_ = open_document(record_.scene, caps_, nullptr, planned, {}, access_);
+        // Whether the driver or snell asks for what is too much depends on what else was asked for.
+        const bool refused =
+            ranges::count(document_->diagnostics.items(), "out-of-graphics-memory", &Diagnostic::code) > 0;
+        if (refused && std::isfinite(address_space())) out_of_memory();
         const bool sliders = std::any_of(rubric_.items.begin(), rubric_.items.end(), [](const RubricItem& item) {
             return ranges::any_of(item.parts(), [](const RubricItem* part) {
                 return part->kind == Kind::no_lints && ranges::count(part->names, "slider-without-effect") > 0;

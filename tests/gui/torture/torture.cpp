@@ -53,8 +53,10 @@ protected:
     // Down to where messages lie over the scene's area; its top where there are none.
     static double messages_end(const json& state) {
         if (!state["widgets"].contains("problems.panel")) return state["scene"][1];
-        const std::array<double, 4> panel = state["widgets"]["problems.panel"];
-        return panel[1] + panel[3] + 1;
+        const json& widgets = state["widgets"];  // the grip lies below the panel, where there are many messages
+        const std::array<double, 4> last =
+            widgets[widgets.contains("problems.grip") ? "problems.grip" : "problems.panel"];
+        return last[1] + last[3] + 1;
     }
     // What can be seen of the scene's area, from the bottom.
     static std::vector<Pixel> area(const Picture& screen, const json& state) {
