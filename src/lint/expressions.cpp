@@ -120,8 +120,9 @@ void Walker::assign(Expr& target, const Expr& value, std::string_view op) {
 Walker::Expr Walker::choose(const std::vector<int>& parts) {
     const Expr condition = evaluate(parts[0]);
     for (const Node* name : conditioned(at(parts[0]).begin, parts[0])) conditions_.insert(name->text);
-    Expr a = evaluate(parts[1]);
-    const Expr b = evaluate(parts[2]);
+    Expr a, b;
+    apart([&] { a = evaluate(parts[1]); });
+    apart([&] { b = evaluate(parts[2]); });
     conditions_end(parts[0]);
     a.v = either(a.v, b.v);
     // A comparison chose the value, so it is unknown which bound is reached.
@@ -270,8 +271,8 @@ Walker::Expr Walker::number(const Node& node) {
     Expr e;
     e.v.varies = Varies::no;
     e.v.id = fresh();
-    if (node.type.base == Base::boolean) return e;
     e.v.range = exactly(node.value.front());
+    if (node.type.base == Base::boolean) return e;
     e.v.space = Space::any;
     e.v.plain = true;
     return e;

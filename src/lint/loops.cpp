@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "parser/text/ranges.h"
 #include "src/lint/walker.h"
@@ -17,8 +18,9 @@ using glsl::Node;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-// llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left.
-constexpr double most_rounds = 65535;
+// llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left; the last
+// one may be such an end.
+constexpr double most_rounds = 65536;
 
 constexpr std::string_view go_round_text = "the loops of this shader go round ";
 
@@ -39,6 +41,36 @@ bool Walker::leaves(int node, bool breaks) const {
     if (n.form < Form::declarator || n.form == Form::returned) return n.form == Form::returned;
     const bool within = n.form == Form::loop || n.form == Form::choice;
     return ranges::any_of(parts(node), [&](int part) { return leaves(part, breaks && !within); });
+}
+
+// Fragments end in functions, too.
+bool Walker::may_discard(std::string_view function, std::set<std::string_view>& seen) const {
+    if (!seen.insert(function).second) return false;
+    for (const glsl::Function& f : u_.functions)
+        for (int k = f.name == function ? f.open : -1; k >= 0 && k < f.close; ++k) {
+            const glsl::Token& t = u_.tokens[static_cast<std::size_t>(k)];
+            if (t.text == "discard") return true;
+            if (ranges::count(u_.functions, t.text, &glsl::Function::name) > 0 && may_discard(t.text, seen))
+                return true;
+        }
+    return false;
+}
+
+bool Walker::calls_discard(int node) const {
+    std::set<std::string_view> seen;
+    for (int k = at(node).begin; k <= node; ++k)
+        if (at(k).form == Form::call && may_discard(at(k).text, seen)) return true;
+    return false;
+}
+
+// What may not run is judged by itself: its rounds are neither added to others nor multiplied by those of loops around.
+void Walker::apart(const std::function<void()>& walk) {
+    const double rounds = std::exchange(rounds_, 0), weight = std::exchange(weight_, 1);
+    ++perhaps_;
+    walk();
+    --perhaps_;
+    rounds_ = rounds;
+    weight_ = weight;
 }
 
 bool Walker::stored(int variable, int node) const {
@@ -97,7 +129,7 @@ bool holds(double left, std::string_view op, double right) {
     if (op == "<=") return left <= right;
     if (op == ">") return left > right;
     if (op == ">=") return left >= right;
-    return (left == right) == (op == "==");
+    return (op == "==" && left == right) || (op == "!=" && left != right);
 }
 
 }  // namespace
@@ -114,13 +146,23 @@ double Walker::counted_rounds(double value, std::string_view op, double bound, c
     return rounds;
 }
 
+// A bool that is true and that no round changes.
+bool Walker::stays_true(const Loop& loop) {
+    const Node& test = at(loop.condition);
+    if (test.form != Form::name || test.variable < 0 || test.type.base != glsl::Base::boolean) return false;
+    const auto updates = updates_of(test.variable, loop);
+    return updates && updates->empty() && slot(test.variable).value.range == exactly(1);
+}
+
 // 0: it is not known. A slider counts as far as it goes.
 double Walker::rounds_of(const Loop& loop) {
     const Node& test = at(loop.condition);
-    const bool yes = test.form == Form::number && test.type.base == glsl::Base::boolean && test.value.front() != 0;
-    if (leaves(loop.body, true)) return 0;
-    if (test.form == Form::empty || yes) return endless;
+    const bool yes = test.type.base == glsl::Base::boolean && test.value.size() == 1 && test.value.front() != 0;
+    if (leaves(loop.body, true) || calls_discard(loop.body)) return 0;
+    if (test.form == Form::empty || yes || stays_true(loop)) return endless;
     const std::vector<int> sides = parts(loop.condition);
+    if (test.form == Form::infix && at(sides[0]).value.size() == 1 && at(sides[1]).value.size() == 1)
+        return holds(at(sides[0]).value.front(), test.text, at(sides[1]).value.front()) ? endless : 0;
     if (test.form != Form::infix || at(sides[0]).form != Form::name || at(sides[0]).variable < 0) return 0;
     const int variable = at(sides[0]).variable;
     const std::string_view op = test.text;

@@ -94,17 +94,16 @@ void Walker::branch(int node) {
     condition_on(at(tested).begin, tested);
     nonuniform_ += varies ? 1 : 0;
     const State before = state_;
-    ++perhaps_;
-    statement(all[1]);
+    apart([&] { statement(all[1]); });
     State taken = std::move(state_);
     state_ = before;
-    if (all.size() > 2) statement(all[2]);
-    --perhaps_;
+    if (all.size() > 2) apart([&] { statement(all[2]); });
     nonuniform_ -= varies ? 1 : 0;
     const bool ended = taken.dead || state_.dead;
     const bool returned = taken.returned || state_.returned;
     // If a path ended here, the rest runs under the condition, too.
     perhaps_ += ended ? 1 : 0;
+    if (ended) rounds_ = 0, weight_ = 1;
     if (!ended) conditions_end(tested);
     state_ = merge(std::move(taken), state_);
     if (returned && !state_.dead && varies && calling_.size() == 1) ++nonuniform_;

@@ -85,6 +85,9 @@ private:
 
     // how often loops go round (loops.cpp)
     bool leaves(int node, bool breaks) const;
+    bool may_discard(std::string_view function, std::set<std::string_view>& seen) const;
+    bool calls_discard(int node) const;
+    void apart(const std::function<void()>& walk);
     bool stored(int variable, int node) const;
     struct Update {
         char op;  // + - * / =
@@ -97,6 +100,7 @@ private:
     std::optional<std::vector<Update>> updates_of(int variable, const Loop& loop) const;
     static double counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
                                  glsl::Base base);
+    bool stays_true(const Loop& loop);
     double rounds_of(const Loop& loop);
     void go_round(double rounds, int first, int last);
 

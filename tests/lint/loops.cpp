@@ -88,6 +88,9 @@ TEST(LintLoops, WithoutAnEnd) {
           "float f = 16777216.; while (f < 20000000.) { f += 1.; x += f; }",
           "int i = 3; do { i -= 3; i += 3; } while (i > 0);", "for (uint i = 1u; i > 0u; i *= 65537u) x += 1.;"})
         EXPECT_NE(looping(loop).text().find("for ever"), std::string::npos) << loop << looping(loop).text();
+    for (const char* loop : {"do x += 1.; while (1 > 0);", "bool go = true; while (go) x += 1.;", "while (GO) x += 1.;",
+                             "for (bool b = true; b;) x += 1.;"})
+        EXPECT_NE(looping(loop, "", "const bool GO = true;\n").text().find("for ever"), std::string::npos) << loop;
     EXPECT_NE(looping("for (float f = 0.; f != 1.; f += .1) x += f;").text().find("more than a million"),
               std::string::npos)
         << "ten tenths are not one";
@@ -100,6 +103,24 @@ TEST(LintLoops, WithoutAnEnd) {
                              "for (uint i = 3u; i >= 0u; --i) { if (x > uX) break; x += 1.; }"})
         EXPECT_FALSE(endless(loop)) << loop;
     EXPECT_NE(looping("while (true) x += 1.;").text().find("for ever"), std::string::npos);
+}
+
+// Only what is certain is told: neither what excludes each other nor what may run once is added up.
+TEST(LintLoops, WhatMayNotRunIsJudgedByItself) {
+    const std::string march =
+        "float march(float y) { for (int k = 0; k < 40000; ++k) y += 1.; return y; }\n"
+        "void kill() { discard; }\nvoid end() { kill(); }\n";
+    for (const char* some :
+         {"for (int i = 0; i < 300; ++i) { if (i == 5) for (int k = 0; k < 1000; ++k) x += 1.; }",
+          "if (uX > 0.) for (int i = 0; i < 50000; ++i) x += 1.; else for (int i = 0; i < 50000; ++i) x += 2.;",
+          "for (int i = 0; i < 40000; ++i) x += 1.; if (uX > 0.) for (int i = 0; i < 40000; ++i) x += 2.;",
+          "for (int i = 0; i < 300; ++i) { if (i < 299) continue; for (int k = 0; k < 300; ++k) x += 1.; }",
+          "x = uX > .9 ? march(1.) : march(2.);", "for (int i = 0; i < 65535; ++i) x += 1.;",
+          "while (true) { x += .1; if (x > 3.) kill(); }", "while (true) { x += .1; if (x > 3.) end(); }",
+          "bool go = true; while (go) { x += 1.; if (x > uX) go = false; }", "bool go = false; while (go) x += 1.;"})
+        EXPECT_FALSE(told(looping(some, "", march))) << some << looping(some, "", march).text();
+    EXPECT_TRUE(told(looping("if (uX > 0.) for (int i = 0; i < 70000; ++i) x += 1.;")));
+    EXPECT_TRUE(told(looping("x += march(1.); x += march(2.);", "", march)));
 }
 
 TEST(LintLoops, WhatMayEndEarlierIsNotKnown) {
