@@ -182,6 +182,26 @@ protected:
     RoomStates() : Desk("1280x720x24") {}
 };
 
+// It has no picture to compare with another, nor any cost.
+TEST_F(RoomStates, OfASceneThatNeverWasWithoutErrors) {
+    save("scene.glib", "Vertex paint.vert\nFragment paint.frag\nLadder TINT dark <light>\nProgram Paint\nQuadXY\n");
+    save("paint.vert", "void main() { gl_Position = ftransform(); }\n");
+    save("paint.frag", "bad\n");
+    open("scene.glib", {"--size", "1000x700"});
+    user("key s");
+    settle();
+    for (const std::size_t side : {0, 1}) {
+        const std::string label = state()["states"][side];
+        EXPECT_NE(label.find("incomplete, for it has errors"), std::string::npos) << label;
+    }
+    user("key a");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("accuracy"); }));
+    settle();
+    EXPECT_FALSE(state()["widgets"].contains("accuracy.error")) << "an error of nothing";
+    save("paint.frag", "void main() { gl_FragColor = vec4(1.); }\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0 && s["widgets"].contains("accuracy.error"); }));
+}
+
 TEST_F(RoomStates, WaterBesideDiamondTurnsAsOne) {
     std::filesystem::create_directory_symlink(SNELL_ROOT "/scenes", file("scenes"));
     open("scenes/refraction-room/refraction-room.glib", {"--size", "1280x720"});

@@ -21,6 +21,7 @@ void Measuring::leave() {
 
 bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
+    stale = stale || scene.diagnostics.has_errors();  // of a scene that never was without, the picture is incomplete
     const bool found = found_.follow(scene, stale, stand, still, memory.accuracy);
     AccuracyView::Pair pair;
     const bool both = states_.active() && states_.shows(false) && states_.shows(true);

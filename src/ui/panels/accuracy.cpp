@@ -29,10 +29,9 @@ constexpr const char* error_meaning =
     "The error is the root mean square difference of light from the reference\n(the last rung of every ladder) over "
     "the "
     "whole picture, where white is 1";
-constexpr const char* found_meaning =
-    "The error is the root mean square difference of light from the scene as it is\nover the whole picture, where "
-    "white "
-    "is 1";
+constexpr const char* halves_meaning =
+    "The error is the root mean square difference of light between the two halves\nover the whole picture, where "
+    "white is 1";
 
 // Draws dimmed text at the right end of the line, if there is room.
 void remark(const Text& text) {
@@ -237,7 +236,7 @@ std::string error_tip(const AccuracyFacts& facts) {
                               : facts.error == 0        ? "nothing differs"
                                                         : "there is no signal-to-noise ratio";
     return fmt::format("{};\nthe largest is {}, {},\nand the root mean square of display values {}.",
-                       facts.of_scene ? found_meaning : error_meaning, error_text(facts.largest), ratio,
+                       facts.of_scene ? halves_meaning : error_meaning, error_text(facts.largest), ratio,
                        error_text(facts.of_display));
 }
 
@@ -339,7 +338,9 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
         ImGui::SameLine();
         if (button(memory.show == Show::heat ? "Split" : "Heat map", layout, "accuracy.other"))
             memory.show = memory.show == Show::heat ? Show::split : Show::heat;
-        tip("Shows where they differ: black is equal, brighter is more, white is as black against white; or both");
+        tip(memory.show == Show::heat
+                ? "Shows both side by side"
+                : "Shows where they differ: black is equal, brighter is more, white is as black against white");
         if (!two_lines) {
             ImGui::SameLine();
             state_button(states, 1, wide(1), memory, layout);

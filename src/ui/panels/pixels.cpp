@@ -1,6 +1,7 @@
 #include "src/ui/panels/pixels.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -101,7 +102,7 @@ Text value_text(float value) {
 
 void pixel_keys(const Rect& scene, PixelMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool free = !io.WantTextInput && !io.KeyCtrl;
+    const bool free = !io.WantTextInput && !io.KeyCtrl && !ImGui::GetTopMostPopupModal();
     if (free && pressed(Key::n)) memory.flags = !memory.flags;
     memory.inspecting =
         free && ImGui::IsKeyDown(static_cast<int>(Key::i)) && scene.contains(io.MousePos.x, io.MousePos.y);

@@ -147,6 +147,9 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
         side.blank = !half.shows();
         if (same && i == 1) side.label += ": the same";
         if (side.failed && !side.blank) side.label += fmt::format(", last good picture: {}", half.error);
+        if (side.failed || !(half.document ? *half.document : scene).diagnostics.has_errors()) continue;
+        side.failed = true;
+        side.label = shown_name(half.name) + ": incomplete, for it has errors";
     }
     if (found.empty()) return &facts_;
     facts_.sides[0] = {facts_.sides[0].name, found};
