@@ -75,11 +75,13 @@ bool below_any(std::string_view path, const std::vector<std::string>& roots) {
 // Looks names up in folders, within bounds: what lies outside of `roots` is as if it were not there.
 struct Finder {
     const std::vector<std::string>& roots;  // real paths; empty if the search is unbounded
+    const std::map<std::string, std::string>* instead = nullptr;  // Access::instead
 
     bool inside(const std::string& path) const { return roots.empty() || below_any(real_path(path), roots); }
 
     bool is_regular(const std::string& path) const {
         struct stat status {};
+        if (instead && instead->contains(path)) return true;
         return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && inside(path);
     }
 
@@ -271,7 +273,7 @@ std::string Files::find(std::string_view name) const {
 Resolved Files::look_up(std::string_view written, const std::vector<std::string_view>& extensions) const {
     const std::string name = tidy(written);
     if (name.empty() || name.find('\0') != std::string::npos) return {};
-    const Finder finder{roots_};
+    const Finder finder{roots_, access_.instead.get()};
     const auto at = [&](const std::string& relative) {
         return is_absolute(relative) && !has_drive(relative) ? relative : join(folder_, relative);
     };

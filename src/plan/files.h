@@ -38,8 +38,8 @@ struct Access {
     // Only files within this folder are read, by whatever name or link they are reached. Nullopt: all files may be
     // read.
     std::optional<std::string> confine;
-    // By path, or by path without links and "..": what is read instead of the file, which must exist. For texts that
-    // were changed and are not written yet.
+    // By path, or by path without links and "..": what is read instead of the file, which is found by the former if it
+    // does not exist. For texts that were changed and are not written yet, or that once were there.
     std::shared_ptr<const std::map<std::string, std::string>> instead = nullptr;
     // Folders whose files are read too, although they are not within `confine`. A file that is found nowhere else is
     // found there by its name, in folders of any depth.

@@ -120,6 +120,18 @@ TEST_F(States, OfTheTextAreThereToo) {
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 
+TEST_F(States, OfTheTextNeedNoFileOfToday) {
+    user("key s");
+    settle();
+    std::filesystem::remove(file("paint.frag"));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    choose_state("right", "opened");
+    expect({.2, .4, .5}, {.2, .4, .5}, "as it was opened, with the shader that is gone");
+    EXPECT_EQ(label(1).find("last good"), std::string::npos) << label(1);
+    EXPECT_EQ(label(1).find("there is no"), std::string::npos) << label(1);
+}
+
 TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
     drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
     const double slid = state()["controls"]["Paint.uRed"][0];
