@@ -273,6 +273,8 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
         const int depth = dimensions == 3 ? size : 1;
         if (result.image && result.image->width == size && result.image->height == size &&
             result.image->depth == depth) {
+            for (const ImageIssue& issue : result.issues)
+                diagnostics.warning(issue.code, fmt::format("'{}': {}", path, issue.message), issue.help);
             return to_upload(std::move(*result.image));
         }
         reason = fmt::format("it is not a noise texture with {} texels per side", size);

@@ -178,11 +178,12 @@ TEST_F(Compare, ScenesAreDrawn) {
 
 TEST_F(Compare, TwoStatesOfASceneAreNamed) {
     folder.write("s.glib",
-                 "Vertex s.vert\nFragment s.frag\nLadder TINT dark <light>\nProgram P uRed <0 .2 1>\nQuadXY 0 1 2 2\n");
+                 "Vertex s.vert\nFragment s.frag\nLadder TINT dark <light>\nProgram P uRed <0 .2 1> uMore [0 "
+                 "0]\nQuadXY 0 1 2 2\n");
     folder.write("s.vert", "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
     folder.write("s.frag",
-                 "#version 330 compatibility\nuniform float uRed;\n"
-                 "void main() { gl_FragColor = vec4(uRed, 0., float(TINT) * .4, 1.); }\n");
+                 "#version 330 compatibility\nuniform float uRed;\nuniform vec2 uMore;\n"
+                 "void main() { gl_FragColor = vec4(uRed + uMore.x, 0., float(TINT) * .4 + uMore.y, 1.); }\n");
     folder.write(
         "s.snapshots.json",
         R"({"1": {"options": "--ladder TINT=dark\n--set P.uRed=0.2"}, "3": {"options": ""}, "0": {"options": ""},)"
@@ -196,6 +197,7 @@ TEST_F(Compare, TwoStatesOfASceneAreNamed) {
     const double red = .4 / std::sqrt(3), blue = .4 / std::sqrt(3);
     EXPECT_NEAR(rmse("uRed=.6", "saved"), red, .003);
     EXPECT_NEAR(rmse("P.uRed=.6 TINT=dark", "reference"), std::hypot(red, blue), .003);
+    EXPECT_NEAR(rmse("uMore=[.4 0] uRed=.2", "saved"), red, .003) << "blanks in brackets";
     EXPECT_NEAR(rmse("snapshot 1", "saved"), blue, .003);
     EXPECT_EQ(rmse("snapshot 1", "TINT=dark"), 0);
     EXPECT_EQ(figures("s.glib --set saved --set uRed=.2 --size 16x16")["display"]["max"], 0);

@@ -1,6 +1,8 @@
 // Meshes, pictures and cube maps of scenes, good files and bad.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <cstring>
+#include <limits>
 
 #include <algorithm>
 
@@ -314,6 +316,14 @@ TEST_F(Loading, NoiseFileBesideTheSceneIsUsed) {
     folder.write(content::noise_file_name(2, 32), tex({16, 16}, 77));
     EXPECT_EQ(load_noise(2, 32, files, diagnostics).width, 32);
     EXPECT_EQ(codes_of(diagnostics), (Codes{"noise-file", "noise-file"}));
+    // Of floats, one of which is NaN.
+    std::string floats = tex({8, 8}, 0);
+    floats.resize(8 + 8 * 8 * 16);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    std::memcpy(floats.data() + 8 + 64, &nan, sizeof nan);
+    folder.write(content::noise_file_name(2, 8), floats);
+    load_noise(2, 8, files, diagnostics);
+    EXPECT_EQ(codes_of(diagnostics).back(), "image-non-finite") << "it is told, and not what was read for it";
 }
 
 TEST_F(Loading, Meshes) {

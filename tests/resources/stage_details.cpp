@@ -157,6 +157,7 @@ TEST_P(StageDetails, StructuresOfArraysPass) {
 TEST_P(StageDetails, TheFirstLayerAndStreamAreOrdinary) {
     write("s.geom",
           "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\nvoid main() {\n    gl_Layer = 0;\n"
+          "    gl_ViewportIndex = 0;\n"
           "    for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position; EmitStreamVertex(0); }\n"
           "    EndStreamPrimitive(0);\n}\n");
     write("s.frag", "void main() { gl_FragColor = vec4(1., 0., 0., 1.); }\n");

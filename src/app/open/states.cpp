@@ -12,10 +12,26 @@ namespace {
 
 constexpr std::size_t most_differences = 3;  // that a label names
 
+// Settings stand between blanks, of which values in brackets may have some: "uColor=[1 .5 0] uIndex=1.33".
+std::vector<std::string_view> settings_of(std::string_view text) {
+    std::vector<std::string_view> settings;
+    std::size_t begin = 0;
+    int depth = 0;
+    for (std::size_t at = 0; at <= text.size(); ++at) {
+        const char c = at < text.size() ? text[at] : ' ';
+        depth += std::string_view("[{<").find(c) != text.npos   ? 1
+                 : std::string_view("]}>").find(c) != text.npos ? -1
+                                                                : 0;
+        if (at < text.size() && (c != ' ' || depth > 0)) continue;
+        if (at > begin) settings.push_back(text.substr(begin, at - begin));
+        begin = at + 1;
+    }
+    return settings;
+}
+
 NamedState of_settings(std::string_view text, const Scene& scene) {
     NamedState state;
-    for (const std::string_view setting : split(text, ' ')) {
-        if (setting.empty()) continue;
+    for (const std::string_view setting : settings_of(text)) {
         const std::string_view name = setting.substr(0, setting.find('='));
         if (name.size() == setting.size())
             return {.error = fmt::format("'{}' names no state: 'saved', 'reference', 'snapshot 1' or settings, such as "

@@ -81,8 +81,10 @@ void fit_inputs(Program& program, Unit& u) {
     }
 }
 
-// The first stream is the one that is drawn, and what OpenGL ES has.
+// The first stream and the first viewport are the ones that are drawn, and what OpenGL ES has.
 void first_stream(Unit& u) {
+    for (int i = 0; i + 2 < static_cast<int>(u.tokens.size()); ++i)
+        if (u.at(i).text == "gl_ViewportIndex" && u.at(i + 1).text == "=" && u.at(i + 2).text == "0") u.erase(i, i + 2);
     for (int i = 0; i + 3 < static_cast<int>(u.tokens.size()); ++i)
         for (const auto& [name, plain] :
              {std::pair("EmitStreamVertex", "EmitVertex"), std::pair("EndStreamPrimitive", "EndPrimitive")}) {
