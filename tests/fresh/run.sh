@@ -17,6 +17,7 @@ kept=$clone/build/fresh
 work=$(mktemp -d)
 trap 'umount -lR "$work"/*/{proc,dev,sys} "$work"/*/var/ccache 2>/dev/null || true; rm -rf --one-file-system "$work"' EXIT
 mkdir -p "$kept"
+chmod 777 "$kept"  # the user may be the first
 
 source "$clone/tests/fresh/apt.sh" "$work"
 
