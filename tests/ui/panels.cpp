@@ -364,6 +364,10 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     memory_.failure = {"not saved: room.glib is gone", Remedy::save_as};
     facts_.changed = false;
     EXPECT_TRUE(has("failure.ok")) << "it is gone, whatever the values are";
+    facts_.stale = true;
+    ++facts_.revision;
+    EXPECT_TRUE(has("failure.ok")) << "reading it again did not find it";
+    facts_.stale = false;
     ++facts_.revision;
     EXPECT_FALSE(has("failure.ok")) << "it is there again";
     facts_.changed = true;

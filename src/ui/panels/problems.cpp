@@ -230,10 +230,11 @@ bool failure_box(const Failure& failure, const Rect& scene, float& bottom, Reque
     return done;
 }
 
-// True if what could not be done has become needless.
-bool mended(const Failure& failure, bool read_again, bool changed) {
-    if (failure.remedy == Remedy::reload || failure.remedy == Remedy::save_as) return read_again;
-    return failure.remedy == Remedy::save && !changed;
+// True if what could not be done has become needless. A scene that is gone is read again in vain.
+bool mended(const Failure& failure, bool read_again, const Facts& facts) {
+    if (failure.remedy == Remedy::reload) return read_again;
+    if (failure.remedy == Remedy::save_as) return read_again && !facts.stale;
+    return failure.remedy == Remedy::save && !facts.changed;
 }
 
 }  // namespace
@@ -246,7 +247,7 @@ void problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts,
         memory.revision = facts.revision;
         memory.problems_hidden = false;
     }
-    if (mended(memory.failure, read_again, facts.changed)) memory.failure = {};
+    if (mended(memory.failure, read_again, facts)) memory.failure = {};
     const Rect scene = with_room(picture);
     push_dark();
     if (count(facts.problems, Severity::error) > 0) {
