@@ -74,7 +74,7 @@ bool below_any(std::string_view path, const std::vector<std::string>& roots) {
 
 // Looks names up in folders, within bounds: what lies outside of `roots` is as if it were not there.
 struct Finder {
-    const std::vector<std::string>& roots;  // real paths; empty if the search is unbounded
+    const std::vector<std::string>& roots;                        // real paths; empty if the search is unbounded
     const std::map<std::string, std::string>* instead = nullptr;  // Access::instead
 
     bool inside(const std::string& path) const { return roots.empty() || below_any(real_path(path), roots); }

@@ -4,8 +4,8 @@
 
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
-#include "parser/text/ranges.h"
 #include "parser/text/article.h"
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/lint/lint.h"
 
