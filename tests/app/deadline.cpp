@@ -9,6 +9,7 @@
 
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
+#include "tests/sanitized.h"
 
 namespace snell::app {
 namespace {
@@ -60,6 +61,7 @@ TEST(Deadline, NoneIsNoThread) {
 
 // What waits for a thread that got no stack has no memory: time is not the cause.
 TEST(Deadline, WithoutAddressSpaceItIsTheMemory) {
+    if (sanitized) GTEST_SKIP() << "sanitizers reserve address space of their own";
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const auto wait = [](bool without) {
         Deadline deadline(.3);
