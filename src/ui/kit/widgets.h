@@ -39,7 +39,7 @@ bool next_button(const char* text, Layout& layout, std::string_view name);
 void keep_wheel();
 // Draws text in front of the next item, which is placed on the same line.
 void label(const char* text);
-// The text with line breaks in place of blanks: Dear ImGui would break at the point of a number, too.
+// The text with line breaks in place of blanks: Dear ImGui would also break at the point of a number.
 std::string broken_at_blanks(std::string_view text, float width);
 // Draws text that is wrapped at the right edge.
 void wrapped(std::string_view text, bool dim = false);
