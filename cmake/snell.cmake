@@ -48,14 +48,21 @@ function(snell_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# The files of a room are compiled as one: they share headers, and templates that several of them use are instantiated
-# once. Names in their anonymous namespaces must differ, or snell_alone lists the file.
+# snell_together(TARGET [ROOM+ROOM…]…): the files of a room, or of rooms that are named together, are compiled as one:
+# they share headers, and templates that several of them use are instantiated once. Names in their anonymous namespaces
+# must differ, or snell_alone lists the file.
 option(SNELL_TOGETHER "Compile the files of a room as one: full builds are quicker, small changes slower" ON)
 function(snell_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SNELL_TOGETHER} UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     cmake_path(GET source PARENT_PATH room)
+    foreach(rooms IN LISTS ARGN)
+      if("+${rooms}+" MATCHES "[+]${room}[+]")
+        set(room ${rooms})
+        break()
+      endif()
+    endforeach()
     string(MAKE_C_IDENTIFIER "${room}" room)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "room_${room}")
   endforeach()

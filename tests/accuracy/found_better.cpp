@@ -4,10 +4,6 @@
 namespace snell::accuracy {
 namespace {
 
-void in_shaders(const texts::Reading& reading, std::vector<Change>& changes) {
-    add_shader_changes(reading.plan, reading.files, reading.sources, changes);
-}
-
 using Afters = std::vector<std::string>;
 
 constexpr std::string_view world =
@@ -284,7 +280,7 @@ TEST_F(FoundBetter, ARoomThatIsNear) {
 
 TEST_F(FoundBetter, MoreRounds) {
     const auto rounds = [&](std::string_view statements, std::string_view outside = "") {
-        return body(statements, "", "Sphere 1", outside, in_shaders);
+        return body(statements, "", "Sphere 1", outside, add_shader_changes);
     };
     const Found mean =
         rounds("float s = 0.;\nfor (int i = 0; i < 8; i++) s += sin(float(i) / 8.);\ngl_FragColor = vec4(s / 8.0);\n");
@@ -315,7 +311,7 @@ TEST_F(FoundBetter, MoreRounds) {
 
 TEST_F(FoundBetter, OnlyNumbersOfTheLoopFollowMoreRounds) {
     const auto more = [&](const std::string& statements) {
-        return body("float s = 0., o = 1.;\n" + statements, "", "Sphere 1", "", in_shaders)
+        return body("float s = 0., o = 1.;\n" + statements, "", "Sphere 1", "", add_shader_changes)
             .text(ChangeKind::more_rounds, 0, "a.frag");
     };
     const std::string adds = "for (int i = 0; i < 8; i++) s += uX;\n",
@@ -345,7 +341,7 @@ TEST_F(FoundBetter, OnlyNumbersOfTheLoopFollowMoreRounds) {
 TEST_F(FoundBetter, OnlyNumbersOfTheStepFollowShorterSteps) {
     const auto more = [&](const std::string& inside, const std::string& behind) {
         return body("float s = 0., o = 1.;\nfor (float t = 0.; t < 1.; t += .1) { " + inside + " }\n" + behind + "\n",
-                    "", "Sphere 1", "", in_shaders)
+                    "", "Sphere 1", "", add_shader_changes)
             .text(ChangeKind::more_rounds, 0, "a.frag");
     };
     for (const auto& [before, after] : std::vector<std::pair<std::string, std::string>>{

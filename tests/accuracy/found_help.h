@@ -17,7 +17,7 @@ namespace snell::accuracy {
 
 inline constexpr std::string_view vertex = "void main() { gl_Position = ftransform(); }\n";
 
-using Finder = void (*)(const texts::Reading&, std::vector<Change>&);
+using Finder = void (*)(const Reading&, std::vector<Change>&);
 
 // A scene as read, and the changes found in it.
 struct Found {

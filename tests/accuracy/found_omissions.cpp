@@ -152,7 +152,7 @@ TEST_F(FoundOmissions, AtMostTwoHundred) {
     EXPECT_EQ(found(many).changes.size(), 200u);
 }
 
-void all_changes(const texts::Reading& reading, std::vector<Change>& changes) {
+void all_changes(const Reading& reading, std::vector<Change>& changes) {
     changes = find_changes(reading.plan, reading.files, reading.sources);
 }
 

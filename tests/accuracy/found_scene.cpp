@@ -293,7 +293,7 @@ TEST(FoundSceneAll, ChangesAreTheSameASecondTime) {
         return lines;
     };
     for (const std::string& path : all_scenes()) {
-        Found found = found_in(path, [](const texts::Reading& reading, std::vector<Change>& changes) {
+        Found found = found_in(path, [](const Reading& reading, std::vector<Change>& changes) {
             changes = find_changes(reading.plan, reading.files, reading.sources);
         });
         const std::vector<Change> again = find_changes(found.plan, *found.files, found.sources);

@@ -106,9 +106,6 @@ std::string words(const Change& change);
 // positions in this list are the rungs' names, from 1, in every run. `sources` gets the texts of included shaders.
 std::vector<Change> find_changes(const Plan& plan, Files& files, Sources& sources);
 
-// Those that make shaders cheaper.
-void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes);
-
 // Found rungs by their numbers, and the texts of a scene that has them. No GL; nothing is written.
 
 // Changes that are made together, named by their numbers: "3" or "3+7".

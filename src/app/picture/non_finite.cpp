@@ -113,29 +113,23 @@ public:
         if (!parsed) return;
         plan_ = make_plan(std::move(parsed->scene), *files_, sources_, unheard_);
         plan_.scene.output = Encoding::raw;
-        const glsl::IncludeReader include = shader_includes(*files_);
-        for (const glsl::StageInput& stage : plan_.programs[program].stages)
-            stages_.push_back(std::make_unique<Shader>(plan_, program, stage, sources_, include));
+        reading_.emplace(plan_, *files_, sources_);
+        stages_ = reading_->stages(program);
     }
 
     std::optional<Found> find() {
-        const Shader* fragment = stage(Stage::fragment);
+        const Shader* fragment = stage_of(stages_, Stage::fragment);
         const bool large = ranges::any_of(
-            stages_, [](const auto& shader) { return shader->unit.tokens.size() > accuracy::most_tokens; });
+            stages_, [](const Shader* shader) { return shader->unit.tokens.size() > accuracy::most_tokens; });
         if (!fragment || large || accuracy::colour_output(*fragment).empty()) return std::nullopt;
         // What vertices have is computed before all fragments.
-        const Shader* vertex = stage(Stage::vertex);
+        const Shader* vertex = stage_of(stages_, Stage::vertex);
         if (vertex && stages_.size() == 2 && accuracy::has_own_main(*vertex))
             if (auto found = search(*vertex)) return found;
         return search(*fragment);
     }
 
 private:
-    const Shader* stage(Stage of) const {
-        const auto found = ranges::find_if(stages_, [&](const auto& s) { return s->unit.stage == of; });
-        return found == stages_.end() ? nullptr : found->get();
-    }
-
     std::unique_ptr<Files> copy_of_files(std::map<std::string, std::string> texts) const {
         return std::make_unique<Files>(document_.files->folder(), document_.files->access().with(std::move(texts)));
     }
@@ -254,7 +248,7 @@ private:
     // What tells the colour of `shader`: that of the fragment shader, which may be the same.
     std::vector<Edit> edits_of(const Shader& shader, const std::vector<int>& finite) const {
         std::vector<Edit> edits;
-        const Shader& fragment = *stage(Stage::fragment);
+        const Shader& fragment = *stage_of(stages_, Stage::fragment);
         const auto declare = [&](const Shader& to, const std::string& text) {
             for (std::size_t f = 0; f < to.unit.functions.size(); ++f)
                 if (const auto ahead = to.ahead_of(static_cast<int>(f))) {
@@ -330,7 +324,8 @@ private:
     Sources sources_;
     Diagnostics unheard_;  // the scene is known to be without errors
     Plan plan_;
-    std::vector<std::unique_ptr<Shader>> stages_;
+    std::optional<accuracy::Reading> reading_;
+    std::vector<const Shader*> stages_;
     std::vector<int> expressions_;  // nodes; their numbers begin with 1
 };
 

@@ -398,5 +398,17 @@ TEST_F(ExpressionMeans, AreOfMainAndOfWhatIsAheadOfIt) {
               nullptr);
 }
 
+// One text for what is drawn into a texture and for what is seen: an edit changes both.
+TEST_F(ExpressionMeans, AreNotOfTextsThatDrawIntoTextures) {
+    const std::vector<File> files{
+        {"a.vert", "varying vec3 vP;\nvoid main() { vP = gl_Vertex.xyz; gl_Position = ftransform(); }\n"},
+        {"a.frag", "varying vec3 vP;\nvoid main() {\n    float s = exp(vP.x);\n    gl_FragColor = vec4(s);\n}\n"}};
+    const std::string drawn = "Vertex a.vert\nFragment a.frag\nProgram ",
+                      cube = "CubeMap 6 16\nRenderToCube 6 0. 0. 0.\n";
+    EXPECT_NE(scene(drawn + "Seen\nSphere 1.\n", files).find(expression_mean, "exp(vP.x)"), nullptr);
+    const std::string both = cube + drawn + "Around\nBox 9. 9. 9.\nRenderToTexture\n" + drawn + "Seen\nSphere 1.\n";
+    EXPECT_EQ(scene(both, files).find(expression_mean, "exp(vP.x)"), nullptr);
+}
+
 }  // namespace
 }  // namespace snell::accuracy::test

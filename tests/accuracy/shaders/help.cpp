@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "parser/read/parse.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "src/plan/texts.h"
 
 namespace snell::accuracy::test {
@@ -19,7 +20,7 @@ Found::Found(const std::string& path) : files(std::make_unique<Files>(std::files
     Parsed parsed = parse(id, sources, included);
     diagnostics.append(parsed.diagnostics);
     plan = make_plan(std::move(parsed.scene), *files, sources, diagnostics);
-    add_shader_changes(plan, *files, sources, changes);
+    add_shader_changes(Reading(plan, *files, sources), changes);
 }
 
 std::vector<const Change*> Found::of(ChangeKind kind) const {

@@ -53,7 +53,7 @@ private:
         const Scene& scene = s_.plan.scene;
         return ranges::all_of(scene.passes, [&](const Pass& pass) {
             return pass.kind == Pass::Kind::window || ranges::none_of(pass.items, [&](const Item& item) {
-                       return item.kind == Item::Kind::draw && scene.draws[item.index].program == s_.program;
+                       return item.kind == Item::Kind::draw && s_.programs.contains(scene.draws[item.index].program);
                    });
         });
     }

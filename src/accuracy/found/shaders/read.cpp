@@ -1,31 +1,29 @@
-// A stage that is drawn: its tokens and tree, and which of its text may be edited.
+// Stages: their tokens and trees, what is known of their expressions, and which of their texts may be edited.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/shaders/shader.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
+#include "src/plan/texts.h"
 
 namespace snell::accuracy {
 
 using glsl::Form;
 using glsl::Node;
 
-Shader::Shader(const Plan& given, Index index, const glsl::StageInput& stage, Sources& texts,
-               const glsl::IncludeReader& include)
-    : plan(given), program(index), sources(texts) {
-    const Scene& scene = plan.scene;
-    const std::size_t ladders = std::min(scene.programs[program].ladders, scene.ladders.size());
-    glsl::Options options;
-    options.defines = defines = ladder_defines(std::span(scene.ladders).first(ladders), plan.rungs);
+Shader::Shader(const Plan& given, const glsl::StageInput& stage, Sources& texts, const glsl::Options& wanted)
+    : plan(given), sources(texts), defines(wanted.defines) {
+    glsl::Options options = wanted;
     std::set<std::string, std::less<>> embedded;
     options.include = [&](std::string_view from, std::string_view name, bool angle) {
-        auto text = include ? include(from, name, angle) : std::nullopt;
+        auto text = wanted.include ? wanted.include(from, name, angle) : std::nullopt;
         if (text && angle) embedded.insert(text->name);
         return text;
     };
@@ -74,6 +72,29 @@ void Shader::link() {
         for (int k = std::max(loop.first, 0); k <= std::min(loop.last, tokens - 1); ++k)
             free_[static_cast<std::size_t>(k)] = true;
     }
+    link_expressions();
+}
+
+void Shader::link_expressions() {
+    constexpr int deepest = 100;
+    depths_.assign(tree.size(), 0);
+    for (int n = 0; n < nodes(); ++n) {
+        const Node& node = at(n);
+        const bool call = node.form == Form::construct || node.form == Form::call || node.form == Form::built_in;
+        const bool never = node.form == Form::other || node.form == Form::list || node.form == Form::length ||
+                           node.form == Form::comma || node.form >= Form::declarator;
+        if (never || node.first < 0 || node.last < node.first) continue;
+        if (call && token(node.first + 1).text != "(") continue;  // casts and arrays
+        int depth = 1;
+        for (const int part : parts(n)) {
+            const int inside = depths_[static_cast<std::size_t>(part)];
+            depth = inside == 0 || inside == deepest ? deepest + 1 : std::max(depth, inside + 1);
+        }
+        if (depth > deepest) continue;
+        depths_[static_cast<std::size_t>(n)] = depth;
+        if (function_of(node.first) >= 0) expressions_.push_back(n);
+    }
+    ranges::stable_sort(expressions_, std::less<>(), [&](int n) { return std::pair(at(n).first, -n); });
 }
 
 int Shader::bare(int node) const {
@@ -95,6 +116,21 @@ bool Shader::own(int first, int last) const {
         from = unit.span(k).end;
     }
     return from <= all.size();
+}
+
+std::optional<Span> Shader::place(int first, int last) const {
+    if (first < 0 || last < first || last >= static_cast<int>(unit.tokens.size())) return std::nullopt;
+    const glsl::Token &a = token(first), &b = token(last);
+    if (a.macro >= 0 || b.macro >= 0 || a.file != b.file || b.offset < a.offset) return std::nullopt;
+    if (a.file >= files.size() || library[a.file]) return std::nullopt;
+    const Span whole = span(first, last);
+    if (whole.end > sources.text(whole.file).size()) return std::nullopt;
+    const std::string_view text = sources.text(whole.file).substr(whole.begin, whole.end - whole.begin);
+    for (std::size_t line = text.find('\n'); line != text.npos; line = text.find('\n', line + 1)) {
+        const std::size_t begin = text.find_first_not_of(" \t\r", line + 1);
+        if (begin != text.npos && text[begin] == '#') return std::nullopt;
+    }
+    return whole;
 }
 
 Span Shader::span(int first, int last) const {
@@ -140,12 +176,112 @@ bool Shader::written(int name) const {
     return which >= parameters.size() || parameters[which].storage != glsl::Storage::in;
 }
 
+int Shader::statement(int node) const {
+    while (node >= 0 && at(node).form <= Form::declarator) node = parent(node);
+    return node;
+}
+
 std::optional<Span> Shader::ahead_of(int function) const {
     if (function < 0) return std::nullopt;
     const glsl::Function& f = unit.functions[static_cast<std::size_t>(function)];
     if (!own(f.first, f.first)) return std::nullopt;
     const Span place = span(f.first, f.first);
     return Span{place.file, place.begin, place.begin};
+}
+
+// ---- expressions --------------------------------------------------------------------------------------------
+
+Expression Expression::at(const Shader& shader, int token) {
+    const auto& all = shader.expressions();
+    const auto found = std::lower_bound(all.begin(), all.end(), token,
+                                        [&](int node, int wanted) { return shader.at(node).first < wanted; });
+    return found != all.end() && shader.at(*found).first == token ? Expression(shader, *found) : Expression();
+}
+
+std::string_view Expression::text() const {
+    if (!*this) return {};
+    const Node& n = s_->at(node_);
+    return call() || n.form == Form::number ? s_->token(n.first).text : n.text;
+}
+
+Expression Expression::operator[](std::size_t part) const {
+    if (!*this) return {};
+    const std::vector<int> all = s_->parts(node_);
+    return part < all.size() ? Expression(*s_, all[part]) : Expression();
+}
+
+Expression Expression::initial() const {
+    const int variable = name() ? s_->at(node_).variable : -1;
+    const int declarator = variable < 0 || s_->changes(variable) ? -1 : s_->declarator(variable);
+    if (declarator < 0) return {};
+    const Node& n = s_->at(declarator);
+    const std::vector<int> value = s_->parts(declarator);
+    const int within = s_->function_of(n.first);
+    const bool one = value.size() == 1 && s_->token(n.first + 1).text == "=";
+    return one && within >= 0 && within == s_->function_of(first()) ? Expression(*s_, value.front()) : Expression();
+}
+
+Expression Expression::resolved() const {
+    Expression now = bare();
+    for (int steps = 0; steps < 4; ++steps) {
+        const Expression value = now.initial();
+        if (!value) break;
+        now = value.bare();
+    }
+    return now;
+}
+
+std::optional<double> Expression::number() const {
+    const Expression e = bare();
+    if (e.is(Form::prefix, "-")) {
+        const auto value = e[0].number();
+        return value ? std::optional(-*value) : std::nullopt;
+    }
+    if (!e.is(Form::number) || s_->token(e.first()).kind == glsl::Kind::identifier) return std::nullopt;
+    double value = 0;
+    read_real(e.text().data(), e.text().data() + e.text().size(), value);
+    return value;
+}
+
+bool Expression::same(const Expression& other) const {
+    return *this && other && s_->alike(bare().node(), other.bare().node());
+}
+
+Reading::Reading(const Plan& plan_read, Files& its_files, Sources& its_sources)
+    : plan(plan_read), files(its_files), sources(its_sources) {
+    std::map<std::string, Shader*> known;  // by text, stage and macros
+    for (const PlannedProgram& planned : plan.programs) {
+        if (!planned.readable) continue;
+        const Program& program = plan.scene.programs[planned.program];
+        glsl::Options options;
+        options.include = shader_includes(files);
+        options.limits = files.limits();
+        options.geometry_input = program.geometry_input;
+        options.geometry_output = program.geometry_output;
+        options.defines = ladder_defines(
+            std::span(plan.scene.ladders).first(std::min(program.ladders, plan.scene.ladders.size())), plan.rungs);
+        std::string macros;
+        for (const glsl::Define& define : options.defines) macros += "\n" + define.name + " " + define.value;
+        for (const glsl::StageInput& stage : planned.stages) {
+            Shader*& shader =
+                known[fmt::format("{} {}{}", static_cast<int>(stage.stage), sources.name(stage.file), macros)];
+            if (!shader) shader = &shaders.emplace_back(plan, stage, sources, options);
+            shader->programs.insert(planned.program);
+        }
+    }
+}
+
+std::vector<const Shader*> Reading::stages(Index program) const {
+    std::vector<const Shader*> found;
+    for (const Shader& shader : shaders)
+        if (shader.programs.contains(program)) found.push_back(&shader);
+    ranges::stable_sort(found, std::less<>(), [](const Shader* s) { return s->unit.stage; });
+    return found;
+}
+
+const Shader* stage_of(const std::vector<const Shader*>& stages, Stage stage) {
+    const auto found = ranges::find_if(stages, [&](const Shader* s) { return s->unit.stage == stage; });
+    return found == stages.end() ? nullptr : *found;
 }
 
 // ---- loops that count ---------------------------------------------------------------------------------------
@@ -256,10 +392,10 @@ bool closed(const Node& node) {
            node.form == Form::call || node.form == Form::built_in;
 }
 
-std::string literal(double value, const glsl::Type& type) {
+std::string literal(double value, const glsl::Type& type, int digits) {
     if (type.base == glsl::Base::integer) return fmt::format("{:.0f}", value);
     if (type.base == glsl::Base::uinteger) return fmt::format("{:.0f}u", value);
-    std::string text = fmt::format("{:.9g}", value);
+    std::string text = fmt::format("{:.{}g}", value, digits);
     if (text.find_first_of(".e") == std::string::npos) text += '.';
     return text;
 }
@@ -286,40 +422,61 @@ std::array<std::string, 2> before_and_after(const Sources& sources, const std::v
     return {excerpt(lines[0]), excerpt(lines[1])};
 }
 
+bool by_place(const Edit& a, const Edit& b) {
+    return std::tuple(a.span.file, a.span.begin, a.span.end) < std::tuple(b.span.file, b.span.begin, b.span.end);
+}
+
+// Edits that touch become one, so that their order is certain. Returns false if some overlap.
+bool join_neighbours(Edits& edits) {
+    Edits joined;
+    for (Edit& edit : edits) {
+        const bool follows = !joined.empty() && joined.back().span.file == edit.span.file;
+        if (follows && edit.span.begin < joined.back().span.end) return false;
+        if (follows && edit.span.begin == joined.back().span.end) {
+            joined.back().span.end = edit.span.end;
+            joined.back().text += edit.text;
+        } else {
+            joined.push_back(std::move(edit));
+        }
+    }
+    edits = std::move(joined);
+    return true;
+}
+
 }  // namespace
 
-void Offers::add(ChangeKind kind, const std::vector<Span>& shown, std::vector<Edit> edits) {
-    if (full()) return;
-    std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
-        return std::tuple(a.span.file, a.span.begin, a.span.end) < std::tuple(b.span.file, b.span.begin, b.span.end);
-    });
-    std::vector<Edit> joined;
+Offers::Offers(const Files& files, const Sources& sources, std::vector<Change>& changes, std::size_t most)
+    : sources_(sources), changes_(changes), left_(most) {
+    for (std::string& path : files.read_paths()) names_.insert(std::move(path));
+}
+
+bool Offers::add(ChangeKind kind, const std::vector<Span>& shown, Edits edits, std::string_view lint) {
+    if (full()) return false;
+    Edits made;
     for (Edit& edit : edits) {
-        const bool insert = edit.span.begin == edit.span.end;
-        if (insert && !joined.empty() && joined.back().span == edit.span)
-            joined.back().text += edit.text;
-        else
-            joined.push_back(std::move(edit));
+        edit.span = first_reading(edit.span);
+        if (!names_.contains(sources_.name(edit.span.file))) return false;
+        if (text(edit.span) != edit.text) made.push_back(std::move(edit));
     }
+    ranges::stable_sort(made, by_place);
+    made.erase(std::unique(made.begin(), made.end()), made.end());
+    if (made.empty() || !join_neighbours(made)) return false;
     std::string key;
-    bool changes = false;
-    for (std::size_t i = 0; i < joined.size(); ++i) {
-        const auto& [span, text] = joined[i];
-        const std::string_view all = sources_.text(span.file);
-        if (span.end > all.size() || span.begin > span.end) return;
-        if (i > 0 && joined[i - 1].span.file == span.file && joined[i - 1].span.end > span.begin) return;
-        changes = changes || all.substr(span.begin, span.end - span.begin) != text;
-        key += fmt::format("{}:{}-{}:{}\n", span.file, span.begin, span.end, text);
-    }
-    if (!changes || !known_.insert(key).second) return;
-    const auto [before, after] = before_and_after(sources_, shown, joined);
-    changes_.push_back({kind, shown.front(), before, after, std::move(joined)});
+    for (const auto& [span, text] : made) key += fmt::format("{}:{}-{}:{}\n", span.file, span.begin, span.end, text);
+    if (!known_.insert(key).second) return false;
+    std::vector<Span> places;
+    for (const Span& place : shown) places.push_back(first_reading(place));
+    const auto [before, after] = before_and_after(sources_, places, made);
+    changes_.push_back({kind, places.front(), before, after, std::move(made), std::string(lint)});
+    --left_;
+    return true;
 }
 
 void Offers::add(Change change) {
     const Span& at = change.where;
-    if (!full() && known_.insert(fmt::format("{}:{}-{} mean", at.file, at.begin, at.end)).second)
-        changes_.push_back(std::move(change));
+    if (full() || !known_.insert(fmt::format("{}:{}-{} mean", at.file, at.begin, at.end)).second) return;
+    changes_.push_back(std::move(change));
+    --left_;
 }
 
 namespace {

@@ -1,7 +1,11 @@
-// How changes of shaders are found: a stage that is drawn, parsed, and the makers of each kind of change.
+// How changes of shaders are found: the stages of a scene, parsed, what can be asked of their expressions, and the
+// makers of each kind of change.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <deque>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -23,11 +27,10 @@ inline constexpr std::size_t most_expression_means = 8;
 // Programs with a longer stage, which no one has written, are left alone.
 inline constexpr std::size_t most_tokens = 200'000;
 
-// One stage of a program. Nodes are indices into `tree`, tokens into `unit`.
+// One stage of the programs that have it. Nodes are indices into `tree`, tokens into `unit`.
 class Shader {
 public:
-    Shader(const Plan& plan, Index program, const glsl::StageInput& stage, Sources& sources,
-           const glsl::IncludeReader& include);
+    Shader(const Plan& plan, const glsl::StageInput& stage, Sources& sources, const glsl::Options& options);
     Shader(const Shader&) = delete;
     Shader& operator=(const Shader&) = delete;
 
@@ -43,6 +46,8 @@ public:
     // macro, no directive and nothing of another file is in it.
     bool own(int first, int last) const;
     bool own(int node) const { return own(at(node).first, at(node).last); }
+    // The place of the tokens in the author's text. There may be macros between the first and the last one.
+    std::optional<Span> place(int first, int last) const;
     Span span(int first, int last) const;
     Span span(int node) const { return span(at(node).first, at(node).last); }
     std::string text(const Span& span) const;
@@ -62,12 +67,18 @@ public:
     bool written(int name) const;
     // Whether something is stored in the variable behind its declaration.
     bool changes(int variable) const { return changed_[static_cast<std::size_t>(variable)]; }
+    // The statement around a node.
+    int statement(int node) const;
+    // The expressions within functions that were understood, in the order of the text, outermost first.
+    const std::vector<int>& expressions() const { return expressions_; }
+    // Whether all of an expression was understood.
+    bool understood(int node) const { return depths_[static_cast<std::size_t>(node)] > 0; }
     // A place ahead of the function, for declarations; nothing if it is not in the author's text.
     std::optional<Span> ahead_of(int function) const;
     bool fragment() const { return unit.stage == Stage::fragment; }
 
     const Plan& plan;
-    Index program;
+    std::set<Index> programs;
     Sources& sources;
     glsl::Unit unit;
     glsl::Tree tree;
@@ -77,9 +88,78 @@ public:
 
 private:
     void link();
-    std::vector<int> parents_, functions_, declarators_;
+    void link_expressions();
+    std::vector<int> parents_, functions_, declarators_, expressions_, depths_;
     std::vector<std::vector<int>> uses_;
     std::vector<bool> free_, changed_;
+};
+
+// An expression of a shader; none where something in it was not understood.
+class Expression {
+public:
+    Expression() = default;
+    Expression(const Shader& shader, int node) : s_(&shader), node_(shader.understood(node) ? node : -1) {}
+    // The outermost one that begins with the token.
+    static Expression at(const Shader& shader, int token);
+
+    explicit operator bool() const { return node_ >= 0; }
+    int node() const { return node_; }
+    int first() const { return *this ? s_->at(node_).first : -1; }
+    int last() const { return *this ? s_->at(node_).last : -1; }
+    glsl::Type type() const { return *this ? s_->at(node_).type : glsl::Type(); }
+    // The name, number or operator, the function of a call or the member of a selection, as written.
+    std::string_view text() const;
+    std::size_t size() const { return *this ? s_->parts(node_).size() : 0; }
+    Expression operator[](std::size_t part) const;  // none if there are fewer
+    // What is within the brackets around it.
+    Expression bare() const { return *this ? Expression(*s_, s_->bare(node_)) : *this; }
+    // What it has as its value, if it is a local variable in which nothing else is ever stored; none otherwise.
+    Expression initial() const;
+    // Where that leads to, at most four times; otherwise itself. Without brackets.
+    Expression resolved() const;
+
+    bool is(glsl::Form form, std::string_view text = {}) const {
+        return *this && s_->at(node_).form == form && (text.empty() || this->text() == text);
+    }
+    bool name() const { return is(glsl::Form::name); }
+    bool infix(std::string_view op) const { return is(glsl::Form::infix, op); }
+    bool call() const { return is(glsl::Form::call) || is(glsl::Form::built_in) || is(glsl::Form::construct); }
+    bool call(std::string_view name, std::size_t arguments) const {
+        return call() && text() == name && size() == arguments;
+    }
+    // A call of one of these functions.
+    bool calls(std::initializer_list<std::string_view> names) const {
+        return call() && std::find(names.begin(), names.end(), text()) != names.end();
+    }
+    std::optional<double> number() const;
+    // The same tokens, brackets around them aside.
+    bool same(const Expression& other) const;
+
+private:
+    const Shader* s_ = nullptr;
+    int node_ = -1;
+};
+// Calls `each` for the expression and all within it, outermost first.
+template <class Each>
+void for_each(const Expression& expression, const Each& each) {
+    each(expression);
+    for (std::size_t part = 0; part < expression.size(); ++part) for_each(expression[part], each);
+}
+
+// That of one kind; null if there is none.
+const Shader* stage_of(const std::vector<const Shader*>& stages, Stage stage);
+
+// A scene with the stages of all its programs that can be read, equal ones once. `sources` gets the texts of included
+// shaders.
+struct Reading {
+    Reading(const Plan& plan, Files& files, Sources& sources);
+    // Those of a program, in the order of the pipeline.
+    std::vector<const Shader*> stages(Index program) const;
+
+    const Plan& plan;
+    Files& files;
+    Sources& sources;
+    std::deque<Shader> shaders;
 };
 
 // A loop that counts: for( init; name < bound; step ). What shrinks is `target`, down to `base`.
@@ -94,24 +174,37 @@ struct Counter {
 // By its header, and by `if( name >= bound ) break;` in its body.
 std::vector<Counter> counters(const Shader& shader, int loop);
 
+using Edits = std::vector<Edit>;
+
 // Collects changes, each once.
 class Offers {
 public:
-    Offers(Sources& sources, std::vector<Change>& changes) : sources_(sources), changes_(changes) {}
-    // The first of the places that are shown is that of the change. Insertions at one place are joined in their order.
-    // Nothing is added if an edit is not possible, changes nothing, or was offered before.
-    void add(ChangeKind kind, const std::vector<Span>& shown, std::vector<Edit> edits);
-    void add(ChangeKind kind, const Span& where, std::vector<Edit> edits) {
-        add(kind, std::vector<Span>{where}, std::move(edits));
+    // At most `most` changes are added.
+    Offers(const Files& files, const Sources& sources, std::vector<Change>& changes, std::size_t most);
+
+    // The first of the places that are shown is that of the change. Returns false, and adds nothing, if an edit is of a
+    // text that is not the author's, edits overlap or change nothing, or the same were offered before.
+    bool add(ChangeKind kind, const std::vector<Span>& shown, Edits edits, std::string_view lint = {});
+    bool add(ChangeKind kind, const Span& where, Edits edits, std::string_view lint = {}) {
+        return add(kind, std::vector<Span>{where}, std::move(edits), lint);
     }
     // One that is complete but for its order.
     void add(Change change);
     // No more are taken: a text that has as many is not looked at to its end.
-    bool full() const { return known_.size() >= 10 * most_shader_changes; }
+    bool full() const { return left_ == 0; }
+
+    // The same place in the first of several readings of the file.
+    Span first_reading(Span span) const { return {accuracy::first_reading(span.file, sources_), span.begin, span.end}; }
+    std::string_view text(Span span) const {
+        return sources_.text(span.file).substr(span.begin, span.end - span.begin);
+    }
+    const Sources& sources() const { return sources_; }
 
 private:
-    Sources& sources_;
+    const Sources& sources_;
     std::vector<Change>& changes_;
+    std::size_t left_;
+    std::set<std::string, std::less<>> names_;  // of texts that belong to the scene
     std::set<std::string> known_;
 };
 
@@ -119,10 +212,12 @@ inline bool real_vector(const glsl::Type& t) { return t.base == glsl::Base::real
 inline Edit insertion(const Span& at, std::uint32_t offset, std::string text) {
     return {{at.file, offset, offset}, std::move(text)};
 }
+inline Edit before(const Span& at, std::string text) { return insertion(at, at.begin, std::move(text)); }
+inline Edit after(const Span& at, std::string text) { return insertion(at, at.end, std::move(text)); }
 // Whether the text needs no parentheses, whatever stands next to it.
 bool closed(const glsl::Node& node);
 // A number as GLSL writes it for the type: 32, 32u, 32.
-std::string literal(double value, const glsl::Type& type);
+std::string literal(double value, const glsl::Type& type, int digits = 9);
 
 // Whether the author's main can be called by another one: its text can be edited.
 bool has_own_main(const Shader& shader);
@@ -144,6 +239,12 @@ private:
     ImageCache cache_;
     std::map<Index, std::optional<std::array<double, 4>>> known_;
 };
+
+// The parts of find_changes. Shaders: those that make shaders cheaper.
+void add_scene_changes(const Reading& reading, std::vector<Change>& changes);
+void add_better_changes(const Reading& reading, std::vector<Change>& changes);
+void add_shader_changes(const Reading& reading, std::vector<Change>& changes);
+void add_omissions(const Reading& reading, std::vector<Change>& changes);
 
 void add_rounds(const Shader& shader, Offers& offers);
 void add_lower_levels(const Shader& control, Offers& offers);

@@ -11,49 +11,18 @@ namespace snell::accuracy {
 
 namespace {
 
-using Stages = std::vector<std::unique_ptr<Shader>>;
-
-// The shaders of every program, in the scene's order; none for those that are not drawn.
-class ShaderReader {
-public:
-    ShaderReader(const Plan& plan, Files& files, Sources& sources) : plan_(plan), sources_(sources) {
-        include_ = shader_includes(files);
-        for (const PlannedProgram& planned : plan.programs) {
-            const auto draws = [&](const Draw& draw) { return draw.program == planned.program; };
-            programs.emplace_back();
-            if (planned.readable && ranges::any_of(plan.scene.draws, draws)) read(planned);
-        }
-    }
-
-    std::vector<Stages> programs;
-    // The programs that read a file.
-    std::map<FileId, std::set<Index>> readers;
-
-private:
-    void read(const PlannedProgram& planned) {
-        for (const glsl::StageInput& stage : planned.stages) {
-            auto shader = std::make_unique<Shader>(plan_, planned.program, stage, sources_, include_);
-            for (const FileId file : shader->files) readers[file].insert(planned.program);
-            programs.back().push_back(std::move(shader));
-        }
-    }
-
-    const Plan& plan_;
-    Sources& sources_;
-    glsl::IncludeReader include_;
-};
-
-const Shader* stage_of(const Stages& stages, Stage stage) {
-    const auto found = ranges::find_if(stages, [&](const auto& s) { return s->unit.stage == stage; });
-    return found == stages.end() ? nullptr : found->get();
-}
+using Stages = std::vector<const Shader*>;
 
 // Two stages that are joined, and whose own files nothing else reads.
-bool can_share_work(const ShaderReader& reader, const Stages& stages) {
+bool can_share_work(const Reading& reading, const Stages& stages) {
     const Shader *vertex = stage_of(stages, Stage::vertex), *fragment = stage_of(stages, Stage::fragment);
     if (stages.size() != 2 || !vertex || !fragment) return false;
     const FileId a = vertex->files.front(), b = fragment->files.front();
-    return a != b && reader.readers.at(a).size() == 1 && reader.readers.at(b).size() == 1;
+    std::set<Index> readers;
+    for (const Shader& shader : reading.shaders)
+        for (const FileId file : shader.files)
+            if (file == a || file == b) readers.insert(shader.programs.begin(), shader.programs.end());
+    return a != b && readers.size() == 1;
 }
 
 // Takes from the kinds that have most.
@@ -73,24 +42,28 @@ void keep_most(std::vector<Change>& changes) {
 
 }  // namespace
 
-void add_shader_changes(const Plan& plan, Files& files, Sources& sources, std::vector<Change>& changes) {
-    const ShaderReader reader(plan, files, sources);
-    Means means(plan, files);
+void add_shader_changes(const Reading& reading, std::vector<Change>& changes) {
+    Means means(reading.plan, reading.files);
     std::vector<Change> found;
-    Offers offers(sources, found);
-    for (const Stages& stages : reader.programs) {
-        const auto large = [](const auto& shader) { return shader->unit.tokens.size() > most_tokens; };
-        if (ranges::any_of(stages, large)) continue;
-        for (const auto& shader : stages) {
-            add_rounds(*shader, offers);
-            if (shader->unit.stage == Stage::tess_control) add_lower_levels(*shader, offers);
-            if (!shader->fragment()) continue;
-            add_shorter_sums(*shader, offers);
-            add_lookups(*shader, means, offers);
-            add_polynomials(*shader, offers);
-            add_expression_means(*shader, found, offers);
-        }
-        if (can_share_work(reader, stages))
+    Offers offers(reading.files, reading.sources, found, 10 * most_shader_changes);
+    std::set<Index> drawn;  // programs
+    for (const Draw& draw : reading.plan.scene.draws) drawn.insert(draw.program);
+    const auto small = [](const Shader& shader) { return shader.unit.tokens.size() <= most_tokens; };
+    for (const Shader& shader : reading.shaders) {
+        const bool in_use = ranges::any_of(shader.programs, [&](Index p) { return drawn.contains(p); });
+        if (!in_use || !small(shader)) continue;
+        add_rounds(shader, offers);
+        if (shader.unit.stage == Stage::tess_control) add_lower_levels(shader, offers);
+        if (!shader.fragment()) continue;
+        add_shorter_sums(shader, offers);
+        add_lookups(shader, means, offers);
+        add_polynomials(shader, offers);
+        add_expression_means(shader, found, offers);
+    }
+    for (const Index program : drawn) {
+        const Stages stages = reading.stages(program);
+        const bool all_small = ranges::all_of(stages, [&](const Shader* s) { return small(*s); });
+        if (all_small && can_share_work(reading, stages))
             add_vertex_work(*stage_of(stages, Stage::vertex), *stage_of(stages, Stage::fragment), offers);
     }
     std::stable_sort(found.begin(), found.end(), [](const Change& a, const Change& b) {

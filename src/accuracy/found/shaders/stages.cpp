@@ -18,12 +18,6 @@ using glsl::Storage;
 
 constexpr std::size_t longest_work = 400;  // characters of an expression with its variables replaced
 
-int main_index(const Shader& s) {
-    const auto main =
-        ranges::find_if(s.unit.functions, [](const Function& f) { return f.name == "main" && f.open >= 0; });
-    return main == s.unit.functions.end() ? -1 : static_cast<int>(main - s.unit.functions.begin());
-}
-
 const Global* global_named(const Shader& s, std::string_view name, Storage storage) {
     const auto found = ranges::find_if(
         s.unit.globals, [&](const Global& g) { return g.name == name && g.qualifiers.storage == storage; });
@@ -41,7 +35,7 @@ struct Work {
 class Mover {
 public:
     Mover(const Shader& vertex, const Shader& fragment, Offers& offers)
-        : v_(vertex), f_(fragment), offers_(offers), from_(main_index(fragment)), to_(main_index(vertex)) {}
+        : v_(vertex), f_(fragment), offers_(offers), from_(fragment.main()), to_(vertex.main()) {}
 
     void run() {
         if (!usable()) return;

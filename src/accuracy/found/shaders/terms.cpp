@@ -232,13 +232,13 @@ private:
         const Scene& scene = s_.plan.scene;
         const auto target = sampler_target(sampler.name, sampler.type.name);
         if (!target || sampler.type.dims > 0 || sampler.name == "Noise2" || sampler.name == "Noise3") return false;
-        int unit = std::max(sampler.qualifiers.layout_number("binding"), 0);
-        for (const UniformValue& u : scene.programs[s_.program].uniforms)
-            if (u.name == sampler.name && !u.values.empty())
-                unit = static_cast<int>(
-                    std::clamp(u.values[u.kind == UniformValue::Kind::range && u.values.size() > 1 ? 1 : 0], 0., 1e6));
         for (const Draw& draw : scene.draws) {
-            if (draw.program != s_.program) continue;
+            if (!s_.programs.contains(draw.program)) continue;
+            int unit = std::max(sampler.qualifiers.layout_number("binding"), 0);
+            for (const UniformValue& u : scene.programs[draw.program].uniforms)
+                if (u.name == sampler.name && !u.values.empty())
+                    unit = static_cast<int>(std::clamp(
+                        u.values[u.kind == UniformValue::Kind::range && u.values.size() > 1 ? 1 : 0], 0., 1e6));
             const Index texture = find_texture(scene, draw, unit, *target);
             if (texture == none) return false;
             textures.insert(texture);

@@ -9,6 +9,8 @@ namespace snell::accuracy::texts {
 
 namespace {
 
+using glsl::Form;
+
 constexpr std::size_t most_omissions = 200;
 constexpr std::size_t most_list_statements = 2000;  // of one list of vertices
 
@@ -33,7 +35,9 @@ public:
                 if (uniform.span.begin < uniform.span.end && whole(i))
                     to_.add(ChangeKind::no_uniform, uniform.span, without_uniform(uniform.span));
         for (const Shader& shader : shaders_)
-            for (const Body& body : shader.bodies) leave_out(shader, body);
+            for (int n = 0; n < shader.nodes(); ++n)
+                if (shader.at(n).form == Form::evaluated || shader.at(n).form == Form::declaration)
+                    leave_out(shader, n);
     }
 
 private:
@@ -99,54 +103,77 @@ private:
         return ranges::any_of(scene_.textures, [&](const Texture& t) { return t.source == texture; });
     }
 
-    void leave_out(const Shader& shader, const Body& body) {
-        const bool repeats =
-            ranges::any_of(body.loops, [&](const Loop& loop) { return shader.unit.at(loop.word).text != "for"; });
-        for (const Piece& piece : body.pieces) {
-            // A loop may end by it.
-            if (!piece.loops.empty() && (repeats || steers(shader.unit, body, piece))) continue;
-            const bool simple = piece.kind == Piece::Kind::expression && may_go(shader, body, piece);
-            const bool unread =
-                piece.kind == Piece::Kind::declaration && piece.whole && !read(shader.unit, body, piece);
-            // The semicolon stays: a branch may have nothing else.
-            const int last = simple ? piece.last - 1 : piece.last;
-            if (!simple && !unread) continue;
-            if (const auto span = span_of(shader.unit, to_, piece.first, last))
-                to_.add(ChangeKind::no_statement, *span, {{*span, ""}});
-        }
+    // A statement of a function.
+    void leave_out(const Shader& shader, int node) {
+        const glsl::Node& n = shader.at(node);
+        const int function = shader.function_of(n.first);
+        const std::vector<int> inside = shader.parts(node);
+        if (function < 0 || inside.size() != 1 || may_end_a_loop(shader, node)) return;
+        for (int k = n.first; k < shader.at(inside.front()).first; ++k)
+            if (shader.token(k).text == "struct") return;
+        const Expression value(shader, inside.front());
+        const bool simple = n.form == Form::evaluated && may_go(shader, value);
+        const bool unread = n.form == Form::declaration && !read(shader, inside.front());
+        // The semicolon stays: a branch may have nothing else.
+        if (!simple && !unread) return;
+        if (const auto span = shader.place(n.first, simple ? n.last - 1 : n.last))
+            to_.add(ChangeKind::no_statement, *span, {{*span, ""}});
     }
 
-    static std::string_view target(const glsl::Unit& unit, const Tree& tree) {
-        return tree.first >= 0 ? unit.at(tree.first).text : std::string_view();
+    // Whether the statement is in the head of a loop, or within one that may end by it.
+    static bool may_end_a_loop(const Shader& shader, int node) {
+        const auto is_loop = [&](int n) { return shader.at(n).form == Form::loop; };
+        const int part = shader.parts(node).front();
+        const std::string_view name = shader.token(shader.at(part).first).text;
+        bool within = false;
+        for (int inner = node, around = shader.parent(node); around >= 0;
+             inner = around, around = shader.parent(around)) {
+            if (!is_loop(around)) continue;
+            const std::vector<int> parts = shader.parts(around);
+            within = true;
+            for (const int head : parts) {
+                const bool body = shader.at(around).text == "do" ? head == parts.front() : head == parts.back();
+                if (!body && head == inner) return true;
+                for (int k = shader.at(head).first; !body && k >= 0 && k <= shader.at(head).last; ++k)
+                    if (shader.token(k).text == name) return true;
+            }
+        }
+        const int function = shader.function_of(shader.at(node).first);
+        for (int n = 0; within && n < shader.nodes(); ++n)
+            if (is_loop(n) && shader.at(n).text != "for" && shader.function_of(shader.at(n).first) == function)
+                return true;
+        return false;
+    }
+
+    static std::string_view target(const Shader& shader, const Expression& e) {
+        return e ? shader.token(e.first()).text : std::string_view();
     }
 
     // Without the statement, nothing is left without a value: on some drivers it would be 0, and no pixel would change.
-    static bool may_go(const Shader& shader, const Body& body, const Piece& piece) {
+    static bool may_go(const Shader& shader, const Expression& e) {
         const glsl::Unit& unit = shader.unit;
-        const Tree& tree = piece.value;
-        if (tree.kind == Tree::Kind::call) {
-            std::set<std::string_view> written = arguments_written(unit, tree), seen;
-            add_written(unit, tree.text, written, seen);
-            return ranges::all_of(written, [&](std::string_view name) {
-                return surely_written(unit, *body.function, name, piece.first);
-            });
+        const auto& function = unit.functions[static_cast<std::size_t>(shader.function_of(e.first()))];
+        if (e.call()) {
+            std::set<std::string_view> written = arguments_written(shader, e), seen;
+            add_written(unit, e.text(), written, seen);
+            return ranges::all_of(
+                written, [&](std::string_view name) { return surely_written(unit, function, name, e.first()); });
         }
-        if (tree.kind != Tree::Kind::assign) return false;
+        if (!e.is(Form::assign)) return false;
         // A depth that no statement writes is that of the surface.
-        const bool depth = target(unit, tree) == "gl_FragDepth" &&
+        const bool depth = target(shader, e) == "gl_FragDepth" &&
                            ranges::count(unit.tokens, std::string_view("gl_FragDepth"), &glsl::Token::text) == 1;
-        return depth || can_go(unit, *body.function, piece.first, tree.text != "=");
+        return depth || can_go(unit, function, e.first(), e.text() != "=");
     }
 
     // The variables that a call may write through its arguments.
-    static std::set<std::string_view> arguments_written(const glsl::Unit& unit, const Tree& call) {
+    static std::set<std::string_view> arguments_written(const Shader& shader, const Expression& call) {
         std::set<std::string_view> names;
-        const auto add = [&](const Tree& argument) { names.insert(target(unit, bare(argument))); };
-        if ((call.text == "modf" || call.text == "frexp") && call.parts.size() == 2) add(call.parts[1]);
-        for (const glsl::Function& function : unit.functions)
-            for (std::size_t i = 0; function.name == call.text && i < call.parts.size(); ++i)
-                if (i < function.parameters.size() && function.parameters[i].storage != glsl::Storage::in)
-                    add(call.parts[i]);
+        const auto add = [&](const Expression& argument) { names.insert(target(shader, argument.bare())); };
+        if (call.call("modf", 2) || call.call("frexp", 2)) add(call[1]);
+        for (const glsl::Function& function : shader.unit.functions)
+            for (std::size_t i = 0; function.name == call.text() && i < call.size(); ++i)
+                if (i < function.parameters.size() && function.parameters[i].storage != glsl::Storage::in) add(call[i]);
         return names;
     }
 
@@ -178,28 +205,21 @@ private:
         return t == "++" || t == "--" || (t.ends_with("=") && t != "==" && t != "!=" && t != "<=" && t != ">=");
     }
 
-    static bool steers(const glsl::Unit& unit, const Body& body, const Piece& piece) {
-        const std::string_view name = target(unit, piece.value);
-        return ranges::any_of(piece.loops, [&](int n) {
-            const Loop& loop = body.loops[static_cast<std::size_t>(n)];
-            for (int k = loop.open; k < loop.close; ++k)
-                if (unit.at(k).text == name) return true;
-            return false;
-        });
-    }
-
-    static bool read(const glsl::Unit& unit, const Body& body, const Piece& piece) {
-        for (int k = body.function->open; k < body.function->close; ++k)
-            if (k != piece.name_token && unit.at(k).text == piece.name) return true;
-        return unit.has_conditionals;  // another branch may read it
+    // Whether anything but its declarator names the variable, which may be hidden in another branch of the text.
+    static bool read(const Shader& shader, int declarator) {
+        const glsl::Node& n = shader.at(declarator);
+        const glsl::Function& f = shader.unit.functions[static_cast<std::size_t>(shader.function_of(n.first))];
+        for (int k = f.open; k < f.close; ++k)
+            if (k != n.first && shader.token(k).text == n.text) return true;
+        return shader.unit.has_conditionals;
     }
 
     const Plan& plan_;
     const Scene& scene_;
     const Files& files_;
-    const Shaders& shaders_;
+    const std::deque<Shader>& shaders_;
     std::vector<Statement> all_;
-    Collector to_;
+    Offers to_;
 };
 
 }  // namespace
@@ -208,8 +228,6 @@ private:
 
 namespace snell::accuracy {
 
-void add_omissions(const texts::Reading& reading, std::vector<Change>& changes) {
-    texts::Omissions(reading, changes).run();
-}
+void add_omissions(const Reading& reading, std::vector<Change>& changes) { texts::Omissions(reading, changes).run(); }
 
 }  // namespace snell::accuracy

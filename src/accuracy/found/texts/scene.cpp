@@ -131,7 +131,7 @@ private:
     bool cells_matter(const Draw& draw) const {
         if (draw.program == none) return false;
         for (const Shader& shader : shaders_) {
-            if (ranges::find(shader.programs, draw.program) == shader.programs.end()) continue;
+            if (!shader.programs.contains(draw.program)) continue;
             if (shader.unit.stage != Stage::vertex && shader.unit.stage != Stage::fragment) return true;
             if (shader.unit.stage == Stage::vertex && !linear(shader.unit)) return true;
         }
@@ -346,10 +346,10 @@ private:
     const Plan& plan_;
     const Scene& scene_;
     const Files& files_;
-    const Shaders& shaders_;
+    const std::deque<Shader>& shaders_;
     const Sources& sources_;
     std::vector<Statement> all_;
-    Collector to_;
+    Offers to_;
 };
 
 }  // namespace
@@ -358,7 +358,7 @@ private:
 
 namespace snell::accuracy {
 
-void add_scene_changes(const texts::Reading& reading, std::vector<Change>& changes) {
+void add_scene_changes(const Reading& reading, std::vector<Change>& changes) {
     texts::SceneChanges(reading, changes).run();
 }
 

@@ -11,13 +11,11 @@ namespace snell::accuracy::texts {
 
 namespace {
 
-using Kind = Tree::Kind;
-
 // The draws of the shader's programs, in all passes.
 std::vector<const Draw*> draws_of(const Scene& scene, const Shader& shader) {
     std::vector<const Draw*> own;
     for (const Draw& draw : scene.draws)
-        if (ranges::find(shader.programs, draw.program) != shader.programs.end()) own.push_back(&draw);
+        if (shader.programs.contains(draw.program)) own.push_back(&draw);
     return own;
 }
 
@@ -28,47 +26,42 @@ bool samples_cube(const glsl::Unit& unit) {
 }
 
 // Light that is bent where it enters a ball is bent where it leaves, too.
-void bend_twice(const Scene& scene, const Shader& shader, Collector& to) {
-    const glsl::Unit& unit = shader.unit;
+void bend_twice(const Scene& scene, const Shader& shader, Offers& to) {
     const std::vector<const Draw*> draws = draws_of(scene, shader);
     const auto ball = [](const Draw* draw) { return std::holds_alternative<Sphere>(draw->shape); };
-    if (draws.empty() || !ranges::all_of(draws, ball) || !samples_cube(unit)) return;
-    std::vector<Tree> bends;
+    if (draws.empty() || !ranges::all_of(draws, ball) || !samples_cube(shader.unit)) return;
+    std::vector<Expression> bends;
     bool again = false, used = false;
-    for (const Body& body : shader.bodies)
-        for (const Piece& piece : body.pieces)
-            for_each(piece.value, [&](const Tree& tree) {
-                if (tree.call("refract", 3)) bends.push_back(tree);
-                if (tree.kind != Kind::call) return;
-                for (const Tree& part : tree.parts) {
-                    const bool bent = resolved(shader, part).call("refract", 3);
-                    used = used || bent;
-                    // By the author's own formula, or by a second refract().
-                    again = again || (bent && tree.calls({"dot", "refract", "reflect"}));
-                }
-            });
+    for (const int n : shader.expressions()) {
+        const Expression e(shader, n);
+        if (e.call("refract", 3)) bends.push_back(e);
+        for (std::size_t part = 0; e.call() && part < e.size(); ++part) {
+            const bool bent = e[part].resolved().call("refract", 3);
+            used = used || bent;
+            // By the author's own formula, or by a second refract().
+            again = again || (bent && e.calls({"dot", "refract", "reflect"}));
+        }
+    }
     if (bends.empty() || again || !used) return;
     Edits edits;
-    const auto include = included(shader, to, "snell/refraction.glsl");
+    const auto include = included(shader, "snell/refraction.glsl");
     if (!include) return;
-    std::vector<Span> more;
-    std::optional<Span> where;
-    for (const Tree& bend : bends) {
-        if (!same(unit, bend.parts[0], bends[0].parts[0])) return;
-        const auto whole = span_of(unit, to, bend), name = span_of(unit, to, bend.first, bend.first);
-        const auto eta = span_of(unit, to, bend.parts[2]);
+    std::vector<Span> places;
+    for (const Expression& bend : bends) {
+        if (!bend[0].same(bends[0][0])) return;
+        const auto whole = place_of(shader, bend), name = shader.place(bend.first(), bend.first());
+        const Expression ratio = bend[2];
+        const auto eta = place_of(shader, ratio);
         if (!whole || !name || !eta) return;
         edits.push_back({*name, "snellRefractSphere"});
-        const Tree& ratio = bend.parts[2];
         // n1 / n2 as two arguments.
-        const auto first = ratio.infix("/") ? span_of(unit, to, ratio.parts[0]) : std::nullopt;
-        const auto second = ratio.infix("/") ? span_of(unit, to, ratio.parts[1]) : std::nullopt;
+        const auto first = ratio.infix("/") ? place_of(shader, ratio[0]) : std::nullopt;
+        const auto second = ratio.infix("/") ? place_of(shader, ratio[1]) : std::nullopt;
         edits.push_back(first && second ? Edit{{eta->file, first->end, second->begin}, ", "} : after(*eta, ", 1."));
-        if (where) more.push_back(*whole);
-        if (!where) where = whole;
+        places.push_back(*whole);
     }
     if (adds(*include)) edits.push_back(*include);
-    to.add(ChangeKind::both_interfaces, *where, std::move(edits), {}, more);
+    to.add(ChangeKind::both_interfaces, places, std::move(edits));
 }
 
 struct Room {
@@ -114,43 +107,41 @@ std::optional<Room> room_of(const Scene& scene) {
 // What is mirrored in a room is near: the lookup starts where the surface is.
 class NearRoom {
 public:
-    NearRoom(const Scene& scene, const Shaders& shaders, Collector& to, const std::vector<Span>& eye_space)
-        : shaders_(shaders), to_(to), eye_space_(eye_space), room_(room_of(scene)) {}
+    NearRoom(const Reading& reading, Offers& to, const std::vector<Span>& eye_space)
+        : shaders_(reading.shaders), to_(to), eye_space_(eye_space), room_(room_of(reading.plan.scene)) {}
 
     void run(const Shader& shader) {
         if (!room_ || shader.unit.stage != Stage::fragment || !samples_cube(shader.unit)) return;
         const Shader* vertex = vertex_of(shader);
         const auto outside = vertex ? position(*vertex) : std::nullopt;
-        const auto include = included(shader, to_, "snell/environment.glsl");
+        const auto include = included(shader, "snell/environment.glsl");
         if (!outside || !include) return;
         std::vector<Span> lookups;
         int first = -1;
-        for (const Body& body : shader.bodies)
-            for (const Piece& piece : body.pieces)
-                for_each(piece.value, [&](const Tree& tree) {
-                    if (!tree.calls({"texture", "textureCube"}) || tree.parts.size() != 2) return;
-                    const Tree& way = resolved(shader, tree.parts[1]);
-                    const auto span = span_of(shader.unit, to_, tree.parts[1]);
-                    if (!way.calls({"reflect", "snellReflect"}) || !span) return;
-                    if (ranges::find(eye_space_, *span) != eye_space_.end()) return;
-                    if (first < 0) first = tree.first;
-                    lookups.push_back(*span);
-                });
-        const auto input = lookups.empty() ? std::nullopt : declared(shader, to_, first, declaration(shader, "in"));
+        for (const int n : shader.expressions()) {
+            const Expression e(shader, n);
+            if (!e.call("texture", 2) && !e.call("textureCube", 2)) continue;
+            const auto span = place_of(shader, e[1]);
+            if (!e[1].resolved().calls({"reflect", "snellReflect"}) || !span) continue;
+            if (ranges::find(eye_space_, *span) != eye_space_.end()) continue;
+            if (first < 0) first = e.first();
+            lookups.push_back(*span);
+        }
+        const auto input = lookups.empty() ? std::nullopt : declared(shader, first, declaration(shader, "in"));
         if (!input || !adds(*input)) return;
         Edits edits = *outside;
         edits.push_back(*input);
         if (adds(*include)) edits.push_back(*include);
         const auto vector = [](const Vec3& v) {
-            return fmt::format("vec3({}, {}, {})", numeral(v[0], false), numeral(v[1], false), numeral(v[2], false));
+            const glsl::Type real{.base = glsl::Base::real};
+            return fmt::format("vec3({}, {}, {})", literal(v[0], real, 5), literal(v[1], real, 5),
+                               literal(v[2], real, 5));
         };
         for (const Span& span : lookups) {
             edits.push_back(before(span, "snellBoxDirection(snellPosition, "));
             edits.push_back(after(span, ", " + vector(room_->half) + ", " + vector(room_->centre) + ")"));
         }
-        const Span where = lookups.front();
-        lookups.erase(lookups.begin());
-        to_.add(ChangeKind::box_projection, where, std::move(edits), {}, lookups);
+        to_.add(ChangeKind::box_projection, lookups, std::move(edits));
     }
 
 private:
@@ -164,9 +155,8 @@ private:
     const Shader* vertex_of(const Shader& fragment) const {
         const Shader* found = nullptr;
         for (const Shader& shader : shaders_) {
-            const bool together = ranges::any_of(shader.programs, [&](Index p) {
-                return ranges::find(fragment.programs, p) != fragment.programs.end();
-            });
+            const bool together =
+                ranges::any_of(shader.programs, [&](Index p) { return fragment.programs.contains(p); });
             if (!together || &shader == &fragment) continue;
             if (found || shader.unit.stage != Stage::vertex) return nullptr;
             found = &shader;
@@ -184,37 +174,35 @@ private:
     }
 
     // Edits of the vertex shader that hand on the position in the world.
-    std::optional<Edits> position(const Shader& shader) const {
+    static std::optional<Edits> position(const Shader& shader) {
         const glsl::Unit& unit = shader.unit;
         std::string vertex = "gl_Vertex";
         for (const glsl::Global& g : unit.globals)
             if (g.qualifiers.storage == glsl::Storage::in && is_vertex(g))
                 vertex = g.type.rows == 4 ? std::string(g.name) : fmt::format("vec4({}, 1.)", g.name);
-        for (const Body& body : shader.bodies) {
-            if (body.function->name != "main") continue;
-            const auto open = span_of(unit, to_, body.function->open, body.function->open);
-            const auto output = declared(shader, to_, body.function->open + 1, declaration(shader, "out"));
-            const auto model = declared(shader, to_, body.function->open + 1, "uniform mat4 uModelMatrix;");
-            if (!open || !output || !model || !adds(*output)) return std::nullopt;
-            Edits edits{*output, after(*open, fmt::format(" snellPosition = vec3(uModelMatrix * {});", vertex))};
-            if (adds(*model)) edits.push_back(*model);
-            return edits;
-        }
-        return std::nullopt;
+        if (shader.main() < 0) return std::nullopt;
+        const int brace = unit.functions[static_cast<std::size_t>(shader.main())].open;
+        const auto open = shader.place(brace, brace);
+        const auto output = declared(shader, brace, declaration(shader, "out"));
+        const auto model = declared(shader, brace, "uniform mat4 uModelMatrix;");
+        if (!open || !output || !model || !adds(*output)) return std::nullopt;
+        Edits edits{*output, after(*open, fmt::format(" snellPosition = vec3(uModelMatrix * {});", vertex))};
+        if (adds(*model)) edits.push_back(*model);
+        return edits;
     }
 
-    const Shaders& shaders_;
-    Collector& to_;
+    const std::deque<Shader>& shaders_;
+    Offers& to_;
     const std::vector<Span>& eye_space_;
     std::optional<Room> room_;
 };
 
 }  // namespace
 
-void add_surroundings(const Scene& scene, const Shaders& shaders, const std::vector<Span>& eye_space, Collector& to) {
-    NearRoom near(scene, shaders, to, eye_space);
-    for (const Shader& shader : shaders) {
-        bend_twice(scene, shader, to);
+void add_surroundings(const Reading& reading, const std::vector<Span>& eye_space, Offers& to) {
+    NearRoom near(reading, to, eye_space);
+    for (const Shader& shader : reading.shaders) {
+        bend_twice(reading.plan.scene, shader, to);
         near.run(shader);
     }
 }

@@ -78,15 +78,15 @@ std::function<void(Controls&, const Scene&)> values_of(const ExplainOptions& opt
 }
 
 // The scene with programs for other sets of values.
-struct Compared {
+struct ComparedScenes {
     std::vector<std::unique_ptr<Document>> documents;  // which share what they can with the scene
     std::vector<Comparison> comparisons;
 };
 
 // With programs for any values, and for all values but one that switches something off; as many as there is time for.
-Compared compare(ExplainReport& report, const Document& document, const ExplainOptions& options, const Frame& frame,
-                 const Surface& surface, const Running& running) {
-    Compared compared;
+ComparedScenes compare(ExplainReport& report, const Document& document, const ExplainOptions& options,
+                       const Frame& frame, const Surface& surface, const Running& running) {
+    ComparedScenes compared;
     const double until = running.watch.milliseconds() + .5 * time_left(options, running);
     const auto add = [&](std::function<void(Controls&, const Scene&)> settle, std::optional<FrameCost>& saved) {
         if (running.watch.milliseconds() > until) return;
@@ -111,7 +111,7 @@ Compared compare(ExplainReport& report, const Document& document, const ExplainO
 // `took`: milliseconds of a frame.
 void time_all(ExplainReport& report, Document& document, const ExplainOptions& options, const Frame& frame,
               const Surface& surface, double took, const Running& running) {
-    const Compared compared = compare(report, document, options, frame, surface, running);
+    const ComparedScenes compared = compare(report, document, options, frame, surface, running);
     running.progress.begin();
     time_frames(report, *document.runtime, frame, surface,
                 {options.rounds, time_left(options, running), took,

@@ -304,7 +304,7 @@ private:
     const TomlValue& value_;
     Rubric& rubric_;
     Diagnostics& diagnostics_;
-    Table table_;
+    RubricTable table_;
     RubricItem item_;
     std::size_t judged_ = 0;  // how many things
 };
@@ -355,7 +355,7 @@ public:
         : rubric_(rubric), folder_(std::move(folder)), diagnostics_(diagnostics) {}
 
     void read(const TomlValue& root) {
-        Table table(root, diagnostics_);
+        RubricTable table(root, diagnostics_);
         rubric_.pictures.emplace_back();
         table.read("title", rubric_.title);
         table.read("timeout", rubric_.timeout, seconds_above_0);
@@ -367,7 +367,7 @@ public:
         rubric_.shared = paths(table, "shared");
         rubric_.templates = paths(table, "template");
         if (const TomlValue* aliases = table.find("aliases", TomlKind::table)) {
-            Table names(*aliases, diagnostics_);
+            RubricTable names(*aliases, diagnostics_);
             for (const auto& member : aliases->members) rubric_.aliases[member.name] = names.texts(member.name);
         }
         if (const TomlValue* scenes = table.find("scenes", TomlKind::table))
@@ -395,7 +395,7 @@ private:
     }
 
     // The lecturer's scene, and how those of the submissions are called.
-    void read_scenes(Table& table) {
+    void read_scenes(RubricTable& table) {
         const TomlValue* pattern = table.find("scene", TomlKind::text);
         if (pattern) rubric_.scene = pattern->text;
         if (rubric_.scene.find('/') != std::string::npos)
@@ -409,7 +409,7 @@ private:
                   "the path is relative to the folder of the rubric");
     }
 
-    std::vector<std::string> paths(Table& table, std::string_view name) {
+    std::vector<std::string> paths(RubricTable& table, std::string_view name) {
         std::vector<std::string> found;
         const std::vector<std::string> texts = table.texts(name);
         const TomlValue* value = table.find(name);
@@ -422,7 +422,7 @@ private:
         return found;
     }
 
-    void read_size(Table& table) {
+    void read_size(RubricTable& table) {
         const TomlValue* size = table.find("size", TomlKind::text);
         if (size && !parse_sides(size->text, rubric_.width, rubric_.height))
             wrong(size->span, fmt::format("'{}' is not a size from 16x16 to 4096x4096", size->text));

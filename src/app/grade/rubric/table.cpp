@@ -37,7 +37,7 @@ const Allowed samples_of_a_pixel{"a whole number from 1 to 64", [](double number
                                      return number >= 1 && number <= 64 && number == std::floor(number);
                                  }};
 
-const TomlValue* Table::find(std::string_view name, std::optional<Kind> kind) {
+const TomlValue* RubricTable::find(std::string_view name, std::optional<Kind> kind) {
     known_.push_back(name);
     for (const TomlValue::Member& member : table_.members) {
         if (member.name != name) continue;
@@ -48,11 +48,11 @@ const TomlValue* Table::find(std::string_view name, std::optional<Kind> kind) {
     return nullptr;
 }
 
-void Table::read(std::string_view name, std::string& text) {
+void RubricTable::read(std::string_view name, std::string& text) {
     if (const TomlValue* value = find(name, Kind::text)) text = value->text;
 }
 
-void Table::read(std::string_view name, std::optional<double>& number, const Allowed& allowed) {
+void RubricTable::read(std::string_view name, std::optional<double>& number, const Allowed& allowed) {
     const TomlValue* value = find(name, Kind::number);
     if (!value) return;
     if (std::isfinite(value->number) && allowed.fits(value->number))
@@ -61,13 +61,13 @@ void Table::read(std::string_view name, std::optional<double>& number, const All
         wrong_value(diagnostics_, value->span, fmt::format("'{}' is {}", name, allowed.words));
 }
 
-void Table::read(std::string_view name, double& number, const Allowed& allowed) {
+void RubricTable::read(std::string_view name, double& number, const Allowed& allowed) {
     std::optional<double> found;
     read(name, found, allowed);
     number = found.value_or(number);
 }
 
-std::vector<std::string> Table::texts(std::string_view name) {
+std::vector<std::string> RubricTable::texts(std::string_view name) {
     std::vector<std::string> texts;
     const TomlValue* list = find(name);
     if (list && list->kind == Kind::text) return {list->text};
@@ -81,7 +81,7 @@ std::vector<std::string> Table::texts(std::string_view name) {
     return texts;
 }
 
-void Table::done() {
+void RubricTable::done() {
     for (const TomlValue::Member& member : table_.members) {
         if (ranges::find(known_, std::string_view(member.name)) != known_.end()) continue;
         const std::string_view near = nearest(member.name, known_);

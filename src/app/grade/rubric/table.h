@@ -19,9 +19,9 @@ struct Allowed {
 extern const Allowed from_0, above_0, seconds_above_0, from_0_to_1, below_1, below_100, samples_of_a_pixel;
 
 // Reports values of a wrong kind, and, at the end, keys that were not asked for.
-class Table {
+class RubricTable {
 public:
-    Table(const TomlValue& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
+    RubricTable(const TomlValue& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
 
     // Returns null if there is no such key, or its value is not of that kind.
     const TomlValue* find(std::string_view name, std::optional<TomlValue::Kind> kind = std::nullopt);
