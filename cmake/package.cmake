@@ -1,5 +1,5 @@
 # `./dev package`: a package for Debian. Dependencies on libraries are those that dpkg-shlibdeps finds in the program and its
-# module; OpenGL is loaded at run time, so it is named here.
+# module; OpenGL and GLFW are loaded at run time, so they are named here.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME snell)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -23,7 +23,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri, libglfw3 (>= 3.3)")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 # Folders of the package must not be writable by a group, whatever the umask is.

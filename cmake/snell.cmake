@@ -43,6 +43,18 @@ snell_precompiled(snell_std)
 snell_precompiled(snell_std_fmt <fmt/format.h>)
 target_link_libraries(snell_std_fmt PUBLIC fmt::fmt)
 
+# Links the static library of a package where there is one: what is loaded at every start costs a third of a millisecond.
+function(snell_static target)
+  get_target_property(libraries ${target} INTERFACE_LINK_LIBRARIES)
+  foreach(library IN LISTS libraries)
+    string(REGEX REPLACE "[.]so$" ".a" static "${library}")
+    if(EXISTS "${static}")
+      list(TRANSFORM libraries REPLACE "^${library}$" "${static}")
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES INTERFACE_LINK_LIBRARIES "${libraries}")
+endfunction()
+
 # What runs once, or waits for the disk or a person: -O1 builds in four fifths of the time.
 function(snell_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)

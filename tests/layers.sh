@@ -48,7 +48,7 @@ complain "the files of a scene are opened by src/content/regular_file.cpp, which
      grep -vE '^src/content/(regular_file.cpp|replace.cpp|process.cpp|load_module.cpp|image/module.cpp|oiio/)' |
      xargs grep -nE '\bO_(PATH|RDONLY)\b|/proc/self|#include <(fcntl|unistd|sys/mman)')"
 complain "libraries that a browser lacks have units of their own, which src/platform/web replaces or does without" \
-  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|platform/headless\.|content/(load_module|image/(png_write|module)|mesh/shp)\.)' |
+  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|platform/(headless|window)\.|content/(load_module|image/(png_write|module)|mesh/shp)\.)' |
      xargs grep -nE '#include <(png|zlib|shapefil|dlfcn)')"
 complain "no #ifdef in what every platform builds" \
   "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |
@@ -79,6 +79,7 @@ allow src/platform 'src/gl|src/platform|src/content'
 allow src/ui 'parser|src/content|src/glsl|src/plan|src/gl|src/runtime|src/platform|src/ui'
 
 complain "the program must not link OpenImageIO: it costs start-up" "$(ldd "$bin/snell" | grep -i openimageio)"
+complain "the program must not link GLFW: it costs start-up" "$(ldd "$bin/snell" | grep -iE 'libglfw|libX11')"
 complain "the program must not link Cairo: it costs start-up" "$(ldd "$bin/snell" | grep -i cairo)"
 complain "the program must not link libarchive or tomlplusplus: they cost start-up" "$(ldd "$bin/snell" | grep -iE 'libarchive|tomlplusplus')"
 complain "no target, namespace or header is called glib" "$(code | grep -iE '/glib\.' ; code | xargs grep -nE 'namespace glib')"

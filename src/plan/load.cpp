@@ -142,7 +142,8 @@ void refit(CubeFaces& faces, const Texture& texture) {
     if (texture.size[0] > 0 && texture.size[0] < faces[0].width)
         faces = content::half_faces(content::resized(content::cube_light(faces), texture.size[0]));
     if (bytes)
-        for (Image& face : faces) face = content::to_bytes(face);
+        for (Image& face : faces)
+            if (face.type != PixelType::u8) face = content::to_bytes(face);
 }
 
 constexpr int check_side = 64;
@@ -157,10 +158,12 @@ CubeFaces six_faces(const Texture& texture, const std::vector<TextureFile>& file
     }
     for (const ImageIssue& issue : content::check_faces(found, names)) report(issue, {}, texture.span, diagnostics);
     const int side = content::common_side(found);
-    CubeFaces faces = all_checks(side > 0 ? side : check_side);
-    for (std::size_t i = 0; i < 6; ++i)
-        if (found[i] && found[i]->width == side && found[i]->height == side && found[i]->depth == 1)
-            faces[i] = declared(*found[i], texture, files[i], diagnostics);
+    CubeFaces faces;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const bool fits = found[i] && found[i]->width == side && found[i]->height == side && found[i]->depth == 1;
+        faces[i] = fits ? declared(*found[i], texture, files[i], diagnostics)
+                        : content::checkerboard(side > 0 ? side : check_side);
+    }
     return faces;
 }
 

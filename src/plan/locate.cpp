@@ -206,8 +206,10 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
                 continue;
             }
         // posx.bmp is not a slip for posy.bmp, which is one of the other five.
-        const bool other = ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
-        if (other || other_face(file.name, resolved.nearest)) resolved.nearest.clear();
+        if (!resolved.nearest.empty() &&
+            (ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end() ||
+             other_face(file.name, resolved.nearest)))
+            resolved.nearest.clear();
         if (resolved.path.empty() && !resolved.outside) {
             missing.push_back({file.name, file.span, resolved.nearest});
             result.push_back({file.name, {}, file.span});

@@ -136,6 +136,7 @@ bool HeadlessContext::make_current() {
 }
 
 HeadlessContext::~HeadlessContext() {
+    if (kept_) return;
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
 }

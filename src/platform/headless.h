@@ -27,6 +27,8 @@ public:
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
     bool make_current();
+    // It lives until the process ends, not only as long as this object.
+    void keep() { kept_ = true; }
     const std::string& platform() const { return platform_; }
 
 private:
@@ -34,6 +36,7 @@ private:
     static std::unique_ptr<HeadlessContext> make_one(const ContextRequest& request, std::string& error);
     void* display_ = nullptr;
     void* context_ = nullptr;
+    bool kept_ = false;
     std::string platform_;
 };
 

@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,20 @@
 namespace snell {
 
 namespace {
+
+// GLFW is loaded when the first window opens: at every start, its libraries would cost 2 ms.
+void* library() {
+    static void* const loaded = dlopen("libglfw.so.3", RTLD_NOW | RTLD_LOCAL);
+    return loaded;
+}
+
+template <class Function>
+Function found(const char* name) {
+    return reinterpret_cast<Function>(dlsym(library(), name));
+}
+
+// GLFW(Init) is its function glfwInit.
+#define GLFW(name) found<decltype(&glfw##name)>("glfw" #name)
 
 Key key_of(int code) {
     static constexpr std::array<std::pair<int, Key>, 32> table{{
@@ -60,7 +75,7 @@ Key key_of(int code, int scan_code) {
     if (code == GLFW_KEY_KP_SUBTRACT) return Key::minus;
     if (code == GLFW_KEY_0 || code == GLFW_KEY_KP_0) return Key::zero;
     if (const Key key = key_of(code); key != Key::other) return key;
-    const char* printed = glfwGetKeyName(code, scan_code);
+    const char* printed = GLFW(GetKeyName)(code, scan_code);
     const std::string_view name = printed ? printed : "";
     return name == "+" || name == "=" ? Key::plus : name == "-" ? Key::minus : Key::other;
 }
@@ -72,43 +87,43 @@ Modifiers modifiers_of(int bits) {
 
 std::string last_error(std::string_view otherwise) {
     const char* text = nullptr;
-    glfwGetError(&text);
+    GLFW(GetError)(&text);
     return text ? text : std::string(otherwise);
 }
 
 // The monitor that has the point, otherwise the primary one; null if there is none.
 GLFWmonitor* monitor_at(int x, int y) {
     int count = 0;
-    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor** monitors = GLFW(GetMonitors)(&count);
     for (int i = 0; i < count; ++i) {
         int left = 0, top = 0;
-        glfwGetMonitorPos(monitors[i], &left, &top);
-        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        GLFW(GetMonitorPos)(monitors[i], &left, &top);
+        const GLFWvidmode* mode = GLFW(GetVideoMode)(monitors[i]);
         if (mode && x >= left && y >= top && x < left + mode->width && y < top + mode->height) return monitors[i];
     }
-    return glfwGetPrimaryMonitor();
+    return GLFW(GetPrimaryMonitor)();
 }
 
 GLFWwindow* make_window(const WindowRequest& request) {
     constexpr std::array<std::pair<int, int>, 3> versions{{{4, 5}, {4, 1}, {3, 3}}};
     for (const auto& [major, minor] : versions) {
-        glfwDefaultWindowHints();
+        GLFW(DefaultWindowHints)();
         // Asks the driver to report resets if it can; otherwise the window would stay black for ever.
-        glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        GLFW(WindowHint)(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
+        GLFW(WindowHint)(GLFW_CONTEXT_VERSION_MAJOR, major);
+        GLFW(WindowHint)(GLFW_CONTEXT_VERSION_MINOR, minor);
+        GLFW(WindowHint)(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
 #ifdef __APPLE__
         // macOS has no other core context. Elsewhere a forward-compatible one would refuse lines wider than a pixel,
         // which headless contexts draw.
-        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        GLFW(WindowHint)(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
 #endif
-        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
-        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-        glfwWindowHintString(GLFW_X11_CLASS_NAME, "snell");  // by which desktops find snell.desktop and its icon
-        glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "snell");
-        glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a click on another screen leaves the projector's picture
-        if (GLFWwindow* handle = glfwCreateWindow(1280, 800, request.title.c_str(), nullptr, nullptr)) return handle;
+        GLFW(WindowHint)(GLFW_OPENGL_DEBUG_CONTEXT, request.debug ? GLFW_TRUE : GLFW_FALSE);
+        GLFW(WindowHint)(GLFW_VISIBLE, GLFW_FALSE);
+        GLFW(WindowHintString)(GLFW_X11_CLASS_NAME, "snell");  // by which desktops find snell.desktop and its icon
+        GLFW(WindowHintString)(GLFW_X11_INSTANCE_NAME, "snell");
+        GLFW(WindowHint)(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // a click on another screen leaves the projector's picture
+        if (GLFWwindow* handle = GLFW(CreateWindow)(1280, 800, request.title.c_str(), nullptr, nullptr)) return handle;
     }
     return nullptr;
 }
@@ -116,38 +131,42 @@ GLFWwindow* make_window(const WindowRequest& request) {
 }  // namespace
 
 std::unique_ptr<Window> Window::make(const WindowRequest& request, std::string& error) {
-    if (!glfwInit()) {
+    if (!library() || !GLFW(GetError)) {
+        error = "GLFW 3.3 cannot be loaded (Debian: libglfw3)";
+        return nullptr;
+    }
+    if (!GLFW(Init)()) {
         error = last_error("cannot open a display; set DISPLAY or WAYLAND_DISPLAY, or use 'snell render'");
         return nullptr;
     }
     GLFWwindow* handle = make_window(request);
     if (!handle) {
         error = last_error("the driver cannot create an OpenGL 3.3 core context");
-        glfwTerminate();
+        GLFW(Terminate)();
         return nullptr;
     }
     return std::unique_ptr<Window>(new Window(handle));
 }
 
 Window::Window(GLFWwindow* handle) : handle_(handle) {
-    glfwSetWindowUserPointer(handle_, this);
-    glfwMakeContextCurrent(handle_);
-    glfwSwapInterval(1);
-    cursors_[static_cast<std::size_t>(Cursor::text)] = glfwCreateStandardCursor(GLFW_IBEAM_CURSOR);
-    cursors_[static_cast<std::size_t>(Cursor::hand)] = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
-    cursors_[static_cast<std::size_t>(Cursor::resize_horizontal)] = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
-    cursors_[static_cast<std::size_t>(Cursor::resize_vertical)] = glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR);
+    GLFW(SetWindowUserPointer)(handle_, this);
+    GLFW(MakeContextCurrent)(handle_);
+    GLFW(SwapInterval)(1);
+    cursors_[static_cast<std::size_t>(Cursor::text)] = GLFW(CreateStandardCursor)(GLFW_IBEAM_CURSOR);
+    cursors_[static_cast<std::size_t>(Cursor::hand)] = GLFW(CreateStandardCursor)(GLFW_HAND_CURSOR);
+    cursors_[static_cast<std::size_t>(Cursor::resize_horizontal)] = GLFW(CreateStandardCursor)(GLFW_HRESIZE_CURSOR);
+    cursors_[static_cast<std::size_t>(Cursor::resize_vertical)] = GLFW(CreateStandardCursor)(GLFW_VRESIZE_CURSOR);
     listen();
 }
 
 Window::~Window() {
     for (GLFWcursor* cursor : cursors_)
-        if (cursor) glfwDestroyCursor(cursor);
-    glfwDestroyWindow(handle_);
-    glfwTerminate();
+        if (cursor) GLFW(DestroyCursor)(cursor);
+    GLFW(DestroyWindow)(handle_);
+    GLFW(Terminate)();
 }
 
-Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
+Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(GLFW(GetWindowUserPointer)(handle)); }
 
 void Window::push(Event event) {
     // Only the last of several consecutive moves matters, and hundreds can gather during a slow frame.
@@ -159,21 +178,24 @@ void Window::push(Event event) {
 
 void Window::listen() {
     using Kind = Event::Kind;
-    glfwSetCursorPosCallback(
-        handle_, [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::move, .x = x, .y = y}); });
-    glfwSetCursorEnterCallback(handle_, [](GLFWwindow* w, int entered) {
+    GLFW(SetCursorPosCallback)
+    (handle_, [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::move, .x = x, .y = y}); });
+    GLFW(SetCursorEnterCallback)
+    (handle_, [](GLFWwindow* w, int entered) {
         if (!entered) of(w).push({.kind = Kind::leave});
     });
-    glfwSetMouseButtonCallback(handle_, [](GLFWwindow* w, int button, int action, int bits) {
+    GLFW(SetMouseButtonCallback)
+    (handle_, [](GLFWwindow* w, int button, int action, int bits) {
         if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
         of(w).push({.kind = Kind::button,
                     .button = static_cast<MouseButton>(button),
                     .down = action == GLFW_PRESS,
                     .modifiers = modifiers_of(bits)});
     });
-    glfwSetScrollCallback(handle_,
-                          [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::wheel, .x = x, .y = y}); });
-    glfwSetKeyCallback(handle_, [](GLFWwindow* w, int code, int scan_code, int action, int bits) {
+    GLFW(SetScrollCallback)
+    (handle_, [](GLFWwindow* w, double x, double y) { of(w).push({.kind = Kind::wheel, .x = x, .y = y}); });
+    GLFW(SetKeyCallback)
+    (handle_, [](GLFWwindow* w, int code, int scan_code, int action, int bits) {
         // X11 reports the modifiers from before the event, so the pressed key itself is added.
         const bool down = action != GLFW_RELEASE;
         Modifiers modifiers = modifiers_of(bits);
@@ -182,49 +204,51 @@ void Window::listen() {
         if (code == GLFW_KEY_LEFT_ALT || code == GLFW_KEY_RIGHT_ALT) modifiers.alt = down;
         of(w).push({.kind = Kind::key, .key = key_of(code, scan_code), .down = down, .modifiers = modifiers});
     });
-    glfwSetCharCallback(handle_, [](GLFWwindow* w, unsigned code) {
-        of(w).push({.kind = Kind::text, .text = static_cast<char32_t>(code)});
-    });
-    glfwSetDropCallback(handle_, [](GLFWwindow* w, int count, const char** paths) {
+    GLFW(SetCharCallback)
+    (handle_,
+     [](GLFWwindow* w, unsigned code) { of(w).push({.kind = Kind::text, .text = static_cast<char32_t>(code)}); });
+    GLFW(SetDropCallback)
+    (handle_, [](GLFWwindow* w, int count, const char** paths) {
         of(w).dropped_.insert(of(w).dropped_.end(), paths, paths + count);
         of(w).push({.kind = Kind::refresh});
     });
-    glfwSetWindowFocusCallback(
-        handle_, [](GLFWwindow* w, int focused) { of(w).push({.kind = Kind::focus, .down = focused == GLFW_TRUE}); });
-    glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* w, int, int) { of(w).push({.kind = Kind::resize}); });
-    glfwSetWindowContentScaleCallback(handle_, [](GLFWwindow* w, float, float) { of(w).push({.kind = Kind::resize}); });
-    glfwSetWindowIconifyCallback(handle_, [](GLFWwindow* w, int) { of(w).push({.kind = Kind::refresh}); });
-    glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* w) { of(w).push({.kind = Kind::refresh}); });
+    GLFW(SetWindowFocusCallback)
+    (handle_, [](GLFWwindow* w, int focused) { of(w).push({.kind = Kind::focus, .down = focused == GLFW_TRUE}); });
+    GLFW(SetFramebufferSizeCallback)(handle_, [](GLFWwindow* w, int, int) { of(w).push({.kind = Kind::resize}); });
+    GLFW(SetWindowContentScaleCallback)
+    (handle_, [](GLFWwindow* w, float, float) { of(w).push({.kind = Kind::resize}); });
+    GLFW(SetWindowIconifyCallback)(handle_, [](GLFWwindow* w, int) { of(w).push({.kind = Kind::refresh}); });
+    GLFW(SetWindowRefreshCallback)(handle_, [](GLFWwindow* w) { of(w).push({.kind = Kind::refresh}); });
 }
 
 void Window::show(PixelSize size) {
     int x = 0, y = 0, width = 0, height = 0;
-    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    if (GLFWmonitor* monitor = GLFW(GetPrimaryMonitor)()) GLFW(GetMonitorWorkarea)(monitor, &x, &y, &width, &height);
     if (width > 0 && height > 0) {
         size.width = std::min(size.width, width);
         size.height = std::min(size.height, height);
     }
-    glfwSetWindowSize(handle_, size.width, size.height);
-    glfwShowWindow(handle_);
+    GLFW(SetWindowSize)(handle_, size.width, size.height);
+    GLFW(ShowWindow)(handle_);
 }
 
 void Window::set_full_screen(bool full) {
     if (full == full_screen()) return;
-    if (!full) return glfwSetWindowMonitor(handle_, nullptr, x_, y_, before_.width, before_.height, GLFW_DONT_CARE);
+    if (!full) return GLFW(SetWindowMonitor)(handle_, nullptr, x_, y_, before_.width, before_.height, GLFW_DONT_CARE);
     before_ = size();
-    glfwGetWindowPos(handle_, &x_, &y_);
+    GLFW(GetWindowPos)(handle_, &x_, &y_);
     GLFWmonitor* monitor = monitor_at(x_ + before_.width / 2, y_ + before_.height / 2);
-    if (const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr)
-        glfwSetWindowMonitor(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    if (const GLFWvidmode* mode = monitor ? GLFW(GetVideoMode)(monitor) : nullptr)
+        GLFW(SetWindowMonitor)(handle_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-bool Window::full_screen() const { return glfwGetWindowMonitor(handle_) != nullptr; }
+bool Window::full_screen() const { return GLFW(GetWindowMonitor)(handle_) != nullptr; }
 
 void Window::wait(double seconds) {
     if (seconds > 0)
-        glfwWaitEventsTimeout(seconds);
+        GLFW(WaitEventsTimeout)(seconds);
     else
-        glfwPollEvents();
+        GLFW(PollEvents)();
 }
 
 void Window::take_events(std::vector<Event>& into) {
@@ -234,45 +258,45 @@ void Window::take_events(std::vector<Event>& into) {
 
 std::vector<std::string> Window::take_dropped() { return std::exchange(dropped_, {}); }
 
-void Window::present() { glfwSwapBuffers(handle_); }
+void Window::present() { GLFW(SwapBuffers)(handle_); }
 
-bool Window::closing() const { return glfwWindowShouldClose(handle_); }
-void Window::close() { glfwSetWindowShouldClose(handle_, GLFW_TRUE); }
+bool Window::closing() const { return GLFW(WindowShouldClose)(handle_); }
+void Window::close() { GLFW(SetWindowShouldClose)(handle_, GLFW_TRUE); }
 
 PixelSize Window::size() const {
     PixelSize size;
-    glfwGetWindowSize(handle_, &size.width, &size.height);
+    GLFW(GetWindowSize)(handle_, &size.width, &size.height);
     return size;
 }
 
 PixelSize Window::framebuffer() const {
     PixelSize size;
-    if (glfwGetWindowAttrib(handle_, GLFW_ICONIFIED)) return size;
-    glfwGetFramebufferSize(handle_, &size.width, &size.height);
+    if (GLFW(GetWindowAttrib)(handle_, GLFW_ICONIFIED)) return size;
+    GLFW(GetFramebufferSize)(handle_, &size.width, &size.height);
     return size;
 }
 
 float Window::content_scale() const {
     float x = 1, y = 1;
-    glfwGetWindowContentScale(handle_, &x, &y);
+    GLFW(GetWindowContentScale)(handle_, &x, &y);
     return x > 0 ? x : 1;
 }
 
-double Window::now() const { return glfwGetTime(); }
+double Window::now() const { return GLFW(GetTime)(); }
 
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(handle_, title.c_str()); }
+void Window::set_title(const std::string& title) { GLFW(SetWindowTitle)(handle_, title.c_str()); }
 
 void Window::set_cursor(Cursor cursor) {
     if (cursor == cursor_) return;
     cursor_ = cursor;
-    glfwSetCursor(handle_, cursors_[static_cast<std::size_t>(cursor)]);
+    GLFW(SetCursor)(handle_, cursors_[static_cast<std::size_t>(cursor)]);
 }
 
 std::string Window::clipboard() const {
-    const char* text = glfwGetClipboardString(handle_);
+    const char* text = GLFW(GetClipboardString)(handle_);
     return text ? text : "";
 }
 
-void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(handle_, text.c_str()); }
+void Window::set_clipboard(const std::string& text) { GLFW(SetClipboardString)(handle_, text.c_str()); }
 
 }  // namespace snell

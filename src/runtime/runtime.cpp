@@ -444,8 +444,7 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
         else if (ready.stages)
             ready.stages->draw(program, *mesh.stages, part, mesh.has_color, draw_color(ready), 0, with);
         else
-            glDrawElements(ready.mode, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(std::size_t{first} * sizeof(std::uint32_t)));
+            runtime::draw_elements(ready.mode, mesh, first, count);
         if (counters.captured_primitives > primitives) {
             Captured& sum = captured[plan.scene.draws[ready.draw].program];
             sum.primitives += counters.captured_primitives - primitives;
@@ -528,7 +527,7 @@ void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
     counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_system(builtin, context));
     state.vertex_array(axes->array.get());
     state.color({1, 1, 1, 1});
-    glDrawElements(GL_LINES, static_cast<GLsizei>(axes->count), GL_UNSIGNED_INT, nullptr);
+    runtime::draw_elements(GL_LINES, *axes, 0, axes->count);
     ++counters.draws;
 }
 

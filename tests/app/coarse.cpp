@@ -1,5 +1,5 @@
 // How coarse pictures are while something is dragged.
-#include "src/app/window/display.h"
+#include "src/document/coarseness.h"
 
 #include <gtest/gtest.h>
 

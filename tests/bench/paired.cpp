@@ -125,7 +125,7 @@ Row compare_trivial(const Settings& settings) {
                              {settings.bin + "/snell", "render", scratch.path("green.glib"), "--size", "250x250", "-o",
                               scratch.path("green.png")},
                              {settings.shader_runner, scratch.path("green.shader_test"), "-auto", "-fbo"},
-                             "a trivial picture, piglit's shader_runner", 0);
+                             "a trivial picture, piglit's shader_runner", 1.05);
 }
 
 // The whole process, from its start to a PNG.
@@ -142,7 +142,7 @@ Row compare_first_pictures(const Settings& settings) {
                                          scratch.path("snell.png")};
     const std::vector<std::string> by_hand{settings.bin + "/room_by_hand", "scenes/environments/room", "512", "512",
                                            scratch.path("by-hand.png")};
-    return compare_processes(settings, snell, by_hand, "first picture 512x512, whole process", 1.107);
+    return compare_processes(settings, snell, by_hand, "first picture 512x512, whole process", 1.08);
 }
 
 // Each scene at 400 x 400: programs for its values beside programs for any.

@@ -1,6 +1,7 @@
 // Pictures of any size, in parts, without their background.
 #include <cstring>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "src/app/picture/picture.h"
 #include "tests/cli/command.h"
@@ -52,6 +53,19 @@ TEST_F(Pictures, InPartsIsTheSameAsAtOnce) {
         for (std::size_t i = 0; i < a.pixels.size(); ++i) different += a.pixels[i] != b.pixels[i];
         EXPECT_LE(different, a.pixels.size() / 1000) << extension;
     }
+}
+
+TEST_F(Pictures, AreWholeOnBothSidesOfWhatSixteenBitsNumber) {
+    std::vector<double> bytes;
+    for (const int cells : {254, 255}) {
+        const std::string count = std::to_string(cells) + ' ' + std::to_string(cells);
+        folder.write("q.glib", "Ortho -1 1 -1 1\nColor 1 1 1\nQuadXY 0 1 " + count + '\n');
+        const Outcome outcome = render(at("q.glib") + " --size 64x64 -o " + at("q.png") + " --stats " + at("q.json"));
+        ASSERT_EQ(outcome.status, 0) << outcome.output;
+        for (const std::byte each : picture("q.png").pixels) ASSERT_EQ(std::to_integer<int>(each), 255) << cells;
+        bytes.push_back(nlohmann::json::parse(bytes_of(at("q.json")))["counters"]["gpu_bytes"]);
+    }
+    EXPECT_GT(bytes[1] - bytes[0], 2. * 6 * 254 * 254) << "four bytes an index instead of two";
 }
 
 TEST_F(Pictures, FramesInPartsAreAtTheirTimes) {

@@ -18,8 +18,9 @@ import subprocess
 import sys
 import tempfile
 
-SUBCOMMANDS = {"render", "sweep", "check", "compare", "grade", "save", "accuracy", "explain", "commands", "info", "web", "help",
-               "complete", "new", "format", "lsp"}
+# Of the program's table, hidden ones among them.
+TABLE = pathlib.Path(__file__).resolve().parents[2] / "src/app/help/program.cpp"
+SUBCOMMANDS = set(re.findall(r'^    \{"(\w+)", ".*", add_\w+,$', TABLE.read_text(), re.MULTILINE))
 # What `snell web` fills in, in the place of the browser's part, which need not be built.
 PAGE = """<title>snell</title><script type="application/json" id="scene">null</script>
 <script type="text/plain" id="archive"></script>"""

@@ -76,7 +76,8 @@ def accuracy(old):
 def texts(old):
     yield "commands", ["commands", "--json"]
     yield "help", ["--help"]
-    for name in ("render sweep check compare grade explain accuracy save format web commands info lsp help new").split():
+    shown = subprocess.run([old, "--help"], capture_output=True, text=True, timeout=SECONDS).stdout
+    for name in re.findall(r"^  (\w+) ", shown.partition("Subcommands:\n")[2].partition("\n\n")[0], re.M):
         yield "help " + name, [name, "--help"]
 
 

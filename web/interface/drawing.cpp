@@ -1,5 +1,7 @@
 #include "web/interface/drawing.h"
 
+#include <emscripten.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -12,16 +14,26 @@ namespace snell::web {
 
 namespace {
 
-constexpr int samples_shown = 4;
-
 View with_mouse(View view, const Moment& moment) {
     view.mouse_x = moment.mouse_x;
     view.mouse_y = moment.mouse_y;
     return view;
 }
 
-// Draws the chosen rungs left of the split, and the references right of it.
-void draw_both(OpenScene& scene, const gl::Caps& caps, const Moment& moment, bool paced, Surface surface) {
+double now() { return emscripten_get_now() / 1e3; }
+
+// As large as a coarse picture is.
+Moment in_grain(Moment moment, const Grain& grain) {
+    moment.width = grain.part_of(moment.width);
+    moment.height = grain.part_of(moment.height);
+    moment.mouse_x /= grain.divide;
+    moment.mouse_y /= grain.divide;
+    return moment;
+}
+
+// Draws the chosen rungs left of the split, and the references right of it. `enlarged` is that of a paced frame on the
+// screen; 0: it is another one.
+void draw_both(OpenScene& scene, const gl::Caps& caps, const Moment& moment, int enlarged, Surface surface) {
     Document& shown = *scene.document();
     const View view = with_mouse(scene.view, moment);
     Document* reference = moment.split < 1 ? scene.reference(caps) : nullptr;
@@ -30,7 +42,11 @@ void draw_both(OpenScene& scene, const gl::Caps& caps, const Moment& moment, boo
     const auto draw = [&](Document& document, int begin, int end) {
         if (begin >= end) return;
         if (reference) surface.region = PixelRect{begin, 0, end - begin, moment.height};
-        document.runtime->draw({.time = moment.time, .view = view, .controls = document.controls, .paced = paced},
+        document.runtime->draw({.time = moment.time,
+                                .view = view,
+                                .controls = document.controls,
+                                .paced = enlarged > 0,
+                                .enlarged = std::max(enlarged, 1)},
                                surface);
     };
     draw(shown, 0, left);
@@ -50,19 +66,28 @@ std::string Drawing::start(const std::string& canvas) {
     return "";
 }
 
-void Drawing::draw(OpenScene& scene, const Moment& moment) {
-    const gl::Pixels pixels = scene.document()->runtime->display_pixels();
-    if (!canvas_.resize(moment.width, moment.height, samples_shown, pixels)) return;
+void Drawing::draw(OpenScene& scene, const Moment& moment, bool dragged) {
+    const Document& document = *scene.document();
+    if (std::exchange(drawn_, &document) != &document || rungs_ != document.controls.rungs) coarseness_ = {};
+    rungs_ = document.controls.rungs;
+    const Grain& grain = grains[static_cast<std::size_t>(coarseness_.next(dragged, dragged, now()))];
+    const Moment part = in_grain(moment, grain);
+    if (!canvas_.resize(part.width, part.height, grain.samples, document.runtime->display_pixels())) return;
     context_->resize(moment.width, moment.height);
-    draw_both(scene, caps_, moment, true, {canvas_.framebuffer(), moment.width, moment.height});
+    draw_both(scene, caps_, part, grain.divide, {canvas_.framebuffer(), part.width, part.height});
     canvas_.resolve();
     canvas_.show(0, 0, moment.width, moment.height);
+}
+
+double Drawing::drew(double milliseconds) {
+    coarseness_.drew(milliseconds);
+    return std::max(0., coarseness_.due() - now()) * 1e3;
 }
 
 bool Drawing::settle(OpenScene& scene, const Moment& moment) {
     Runtime& runtime = *scene.document()->runtime;
     if (!runtime.settled()) {  // faces of a cube map are behind
-        draw(scene, moment);
+        draw(scene, moment, false);
         return true;
     }
     if (canvas_.framebuffer() == 0) return false;
@@ -86,7 +111,7 @@ std::vector<std::byte> Drawing::picture(OpenScene& scene, const Moment& moment, 
     for (const PixelRect& part : app::parts_of(size, tiling)) {
         Surface surface{target.framebuffer.get(), size.width, size.height};
         if (!tiling.whole(size)) surface.part = part;
-        draw_both(scene, caps_, moment, false, surface);
+        draw_both(scene, caps_, moment, 0, surface);
         const std::vector<std::byte> read =
             gl::read_rgba8(target.framebuffer.get(), part.width, part.height, target.samples, pixels);
         for (int y = 0; y < part.height; ++y) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "src/document/coarseness.h"
 #include "src/gl/caps.h"
 #include "src/gl/present.h"
 #include "src/platform/web/canvas.h"
@@ -30,7 +31,11 @@ public:
     const gl::Caps& caps() const { return caps_; }
 
     // These must not be called unless ready().
-    void draw(OpenScene& scene, const Moment& moment);
+    // `dragged`: the user's hand changed the picture since the last one. It may be coarser, then.
+    void draw(OpenScene& scene, const Moment& moment, bool dragged);
+    // Tells how long the graphics took for it. Returns in how many milliseconds a sharp picture is due if nothing
+    // moves; infinity if it was sharp.
+    double drew(double milliseconds);
     // Does one piece of work for which there is time when nothing changes. Returns false if nothing is left to do.
     bool settle(OpenScene& scene, const Moment& moment);
     // RGBA bytes, the top row first; empty, with an error, if the size is beyond the limits.
@@ -40,6 +45,10 @@ private:
     std::unique_ptr<CanvasContext> context_;
     gl::Caps caps_;
     gl::Canvas canvas_;
+    Coarseness coarseness_;
+    // Of the last picture.
+    const Document* drawn_ = nullptr;
+    Rungs rungs_;
 };
 
 }  // namespace snell::web

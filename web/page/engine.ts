@@ -182,8 +182,10 @@ export interface Engine {
     move(dx: number, dy: number, width: number, height: number, toward?: number): void;
     zoom(factor: number): void;
 
-    // What the picture was found to cost is told once.
-    draw(frame: Frame): Problem[];
+    // What the picture was found to cost is told once. One that is `dragged` may be coarser than the frame.
+    draw(frame: Frame, dragged?: boolean): Problem[];
+    // The graphics took so long for it. In how many milliseconds a sharp picture is due; infinity if it was sharp.
+    drew(milliseconds: number): number;
     // Compiles one more program for the values as they are. False: nothing is left to do.
     settle(frame: Frame): boolean;
     // RGBA bytes, the top row first, of any size that fits into the limits; a message otherwise.

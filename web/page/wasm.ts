@@ -49,7 +49,8 @@ interface Program {
     _snell_turn(engine: Pointer, dx: number, dy: number, begins: number): void;
     _snell_move(engine: Pointer, dx: number, dy: number, width: number, height: number, toward: number): void;
     _snell_zoom(engine: Pointer, factor: number): void;
-    _snell_draw(engine: Pointer, ...moment: Moment): Pointer;
+    _snell_draw(engine: Pointer, ...moment: [...Moment, number]): Pointer;
+    _snell_drew(engine: Pointer, milliseconds: number): number;
     _snell_settle(engine: Pointer, ...moment: Moment): number;
     _snell_picture(engine: Pointer, ...moment: [...Moment, number]): Pointer;
     _snell_preview(engine: Pointer, scene: Pointer, width: number, height: number): Pointer;
@@ -228,9 +229,13 @@ export class WasmEngine implements Engine {
         this.program._snell_zoom(this.engine, factor);
     }
 
-    draw(frame: Frame): Problem[] {
-        const costs = this.program.UTF8ToString(this.program._snell_draw(this.engine, ...moment(frame)));
+    draw(frame: Frame, dragged = false): Problem[] {
+        const costs = this.program.UTF8ToString(this.program._snell_draw(this.engine, ...moment(frame), Number(dragged)));
         return costs ? (JSON.parse(costs) as Problem[]) : [];
+    }
+
+    drew(milliseconds: number): number {
+        return this.program._snell_drew(this.engine, milliseconds);
     }
 
     settle(frame: Frame): boolean {

@@ -1,49 +1,10 @@
-// How coarse pictures of a drag are, sizes of saved pictures, the sides of the split, and the wheel.
+// Sizes of saved pictures, the sides of the split, and the wheel.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Clock } from '../page/viewer/clock.ts';
-import { Coarseness } from '../page/viewer/coarse.ts';
 import { limits, sizeProblem } from '../page/viewer/dialogs.ts';
 import { sidesOf } from '../page/viewer/divider.ts';
 import { stepsOfWheel } from '../page/viewer/gestures.ts';
-
-// Drags for some frames, of which each takes as long as `cost` says for its divisor. Returns the divisors.
-function drag(coarse: Coarseness, begin: number, frames: number, cost: (divisor: number) => number): number[] {
-    let now = begin;
-    return Array.from({ length: frames }, () => {
-        const divisor = coarse.next(true, now);
-        now += cost(divisor);
-        coarse.took(cost(divisor), now);
-        return divisor;
-    });
-}
-
-test('fast pictures stay sharp in a drag, and one slow frame changes nothing', () => {
-    const coarse = new Coarseness();
-    assert.deepEqual(drag(coarse, 0, 5, () => 16), [1, 1, 1, 1, 1]);
-    coarse.took(90, 200);
-    assert.equal(coarse.next(true, 210), 1);
-});
-
-test('slow pictures become coarser until they are fast, and sharp 150 ms after the last move', () => {
-    const coarse = new Coarseness();
-    assert.deepEqual(drag(coarse, 0, 5, (divisor) => 80 / divisor ** 2), [1, 1, 2, 2, 2]);
-    const due = coarse.due;
-    assert.equal(coarse.next(false, due - 1), 2);
-    assert.equal(coarse.next(false, due), 1);
-    assert.deepEqual(drag(coarse, due + 1000, 3, (divisor) => 120 / divisor), [2, 2, 4]);
-});
-
-test('pictures that take longer than the rest of a drag are of the same drag', () => {
-    assert.deepEqual(drag(new Coarseness(), 0, 4, (divisor) => 900 / divisor ** 2), [1, 2, 4, 4]);
-});
-
-test('a drag that has become fast begins finer the next time', () => {
-    const coarse = new Coarseness();
-    drag(coarse, 0, 3, () => 50);
-    assert.deepEqual(drag(coarse, 1000, 2, () => 10), [2, 2]);
-    assert.deepEqual(drag(coarse, 2000, 2, () => 10), [1, 1]);
-});
 
 test('sizes of pictures are limited', () => {
     assert.equal(sizeProblem(640, 480, 16), '');

@@ -392,6 +392,28 @@ test('a lost context is taken up again with the values as they were', async () =
     said = said.filter((message) => !message.includes('CONTEXT_LOST_WEBGL'));
 });
 
+test('slow pictures of a drag become coarser in the same canvas, and the picture at rest is sharp', async () => {
+    const engine = await started();
+    const seen = await engine.evaluate(async (e, files, room) => {
+        e.open(files, room);
+        const frame = { time: 0, width: 96, height: 80 };
+        const sharp = e.shown(frame);
+        const drew = (milliseconds: number) => Math.min(e.engine.drew(milliseconds), 1e9); // infinity does not cross
+        const dues = [0, 1, 2, 3, 4].map(() => (e.engine.draw(frame, true), drew(90)));
+        const coarse = e.shown(frame, true);
+        const size = [e.canvas.width, e.canvas.height];
+        await new Promise((after) => setTimeout(after, drew(10) + 1));
+        return { sharp, dues, coarse, size, rest: e.shown(frame), due: drew(90) };
+    }, filesBelow('scenes'), room);
+    const off = (a: number[], b: number[]) => a.reduce((sum, value, i) => sum + Math.abs(value - b[i]!), 0) / a.length;
+    assert.equal(seen.dues[0], 1e9, 'one slow picture changes nothing');
+    assert.ok(seen.dues.at(-1)! > 100 && seen.dues.at(-1)! <= 150, `${seen.dues.at(-1)}`);
+    assert.deepEqual(seen.size, [96, 80]);
+    assert.ok(off(seen.coarse, seen.sharp) > 1 && off(seen.coarse, seen.sharp) < 20, `${off(seen.coarse, seen.sharp)}`);
+    assert.deepEqual(seen.rest, seen.sharp);
+    assert.equal(seen.due, 1e9);
+});
+
 // WebGL has no geometry shaders, so what one emits is written to memory for each picture.
 test('a picture tells once that a shader emits much', async () => {
     const engine = await started();

@@ -64,8 +64,8 @@ export class EnginePage {
     }
 
     // What the canvas shows, in the same order.
-    shown(frame: Frame): number[] {
-        this.engine.draw(frame);
+    shown(frame: Frame, dragged = false): number[] {
+        this.engine.draw(frame, dragged);
         const copy = document.createElement('canvas');
         copy.width = frame.width;
         copy.height = frame.height;

@@ -39,6 +39,8 @@ std::unique_ptr<HeadlessContext> headless_context(const std::string& text) {
                        "them, and EGL_LOG_LEVEL=debug prints more"
                      : fmt::format("{} is missing: install it", missing));
     }
+    // The process ends with it: to take it apart costs a sixteenth of what a small picture does.
+    if (context) context->keep();
     static const gl::MessageReport print = [](const char* message) {
         complain(fmt::format("OpenGL driver: {}", message));
     };

@@ -15,23 +15,20 @@ namespace snell::app {
 
 namespace {
 
-template <class Channel>
-content::Image picture_of(const std::vector<Channel>& pixels, int width, int channels) {
+// The first `channels` of the four.
+template <int channels, class Channel>
+content::Image picture_of(const std::vector<Channel>& rgba, int width) {
+    const std::size_t count = rgba.size() / 4;
+    constexpr std::size_t kept = channels * sizeof(Channel);
     content::Image image{.width = width,
-                         .height = static_cast<int>(pixels.size() / static_cast<std::size_t>(width * channels)),
+                         .height = static_cast<int>(count / static_cast<std::size_t>(width)),
                          .channels = channels,
                          .type = sizeof(Channel) == 1 ? content::PixelType::u8 : content::PixelType::f32};
-    image.pixels.resize(pixels.size() * sizeof(Channel));
-    std::memcpy(image.pixels.data(), pixels.data(), image.pixels.size());
+    image.pixels.resize(count * kept);
+    std::byte* to = image.pixels.data();
+    for (const Channel* from = rgba.data(); from != rgba.data() + 4 * count; from += 4, to += kept)
+        std::memcpy(to, from, kept);
     return image;
-}
-
-template <class Channel>
-std::vector<Channel> without_alpha(const std::vector<Channel>& rgba) {
-    std::vector<Channel> rgb;
-    rgb.reserve(rgba.size() / 4 * 3);
-    for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) rgb.insert(rgb.end(), {rgba[i], rgba[i + 1], rgba[i + 2]});
-    return rgb;
 }
 
 // Returns the alpha of a pixel from its three channels over black and over white.
@@ -82,18 +79,18 @@ content::Image drawn(Runtime& runtime, Frame frame, const Surface& surface, bool
     if (transparent) frame.background = Vec4{0, 0, 0, 1};
     runtime.draw(frame, surface);
     auto pixels = read();
-    if (!transparent) return picture_of(without_alpha(pixels), width, 3);
+    if (!transparent) return picture_of<3>(pixels, width);
     frame.background = Vec4{1, 1, 1, 1};
     frame.standing = true;
     runtime.draw(frame, surface);
     if constexpr (sizeof pixels[0] == 1) {
         if (runtime.display_pixels() == gl::Pixels::srgb8) {
             take_background_of_light(pixels, read());
-            return picture_of(pixels, width, 4);
+            return picture_of<4>(pixels, width);
         }
     }
     take_background(pixels, read());
-    return picture_of(pixels, width, 4);
+    return picture_of<4>(pixels, width);
 }
 
 }  // namespace

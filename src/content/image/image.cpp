@@ -133,12 +133,14 @@ Image checkerboard(int size) {
 }
 
 Image flipped(Image image) {
-    const auto row = static_cast<std::ptrdiff_t>(image.row_bytes()), rows = std::ptrdiff_t{image.height};
-    for (std::ptrdiff_t z = 0; z < image.depth; ++z) {
-        const auto slice = image.pixels.begin() + z * rows * row;
-        for (std::ptrdiff_t y = 0; y < rows / 2; ++y)
-            std::swap_ranges(slice + y * row, slice + (y + 1) * row, slice + (rows - 1 - y) * row);
-    }
+    const std::size_t row = image.row_bytes(), slice = row * static_cast<std::size_t>(image.height);
+    std::vector<std::byte> kept(row);
+    for (std::size_t z = 0; z < image.pixels.size(); z += slice)
+        for (std::byte *a = image.pixels.data() + z, *b = a + slice - row; a < b; a += row, b -= row) {
+            std::memcpy(kept.data(), a, row);
+            std::memcpy(a, b, row);
+            std::memcpy(b, kept.data(), row);
+        }
     image.bottom_first = !image.bottom_first;
     return image;
 }

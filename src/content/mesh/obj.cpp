@@ -8,6 +8,7 @@
 #include <streambuf>
 
 #include <fmt/format.h>
+#define TINYOBJLOADER_IMPLEMENTATION  // its library would be loaded at every start
 #include <tiny_obj_loader.h>
 
 #include "src/content/mesh/mesh.h"

@@ -45,7 +45,7 @@ void Surface::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         edge(b, c);
         edge(c, a);
     } else if (!same(a, b) && !same(b, c) && !same(c, a)) {
-        mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
+        for (const std::uint32_t corner : {a, b, c}) mesh_.indices.push_back(corner);
     }
 }
 

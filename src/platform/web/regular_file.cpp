@@ -62,9 +62,6 @@ void work_beside(std::size_t, const std::function<void()>&, const std::function<
 }  // namespace snell::content
 
 // Parsers of meshes in a page.
-#define TINYOBJLOADER_IMPLEMENTATION
-#include <tiny_obj_loader.h>
-
 namespace snell::content {
 
 MeshResult parse_shp(std::string_view, const MeshLimits&) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "parser/text/ranges.h"
 #include "src/glsl/glsl.h"
@@ -85,12 +86,26 @@ GpuMesh upload(const content::Mesh& mesh) {
                               reinterpret_cast<const void*>(offset));
         offset += bytes;
     }
-    const size_t index_bytes = mesh.indices.size() * sizeof(mesh.indices[0]);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.get());
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(index_bytes), mesh.indices.data(), GL_STATIC_DRAW);
+    const auto fill = [&](const auto& indices) {
+        const size_t bytes = indices.size() * sizeof(indices[0]);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.get());
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), indices.data(), GL_STATIC_DRAW);
+        gpu.bytes = total + bytes;
+    };
+    // OpenGL ES takes the largest number for the end of a strip.
+    if (mesh.positions.size() < std::numeric_limits<std::uint16_t>::max()) {
+        gpu.index_type = GL_UNSIGNED_SHORT;
+        fill(std::vector<std::uint16_t>(mesh.indices.begin(), mesh.indices.end()));
+    } else {
+        fill(mesh.indices);
+    }
     glBindVertexArray(0);
-    gpu.bytes = total + index_bytes;
     return gpu;
+}
+
+void draw_elements(GLenum mode, const GpuMesh& mesh, std::uint32_t first, std::uint32_t count) {
+    const std::size_t size = mesh.index_type == GL_UNSIGNED_SHORT ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
+    glDrawElements(mode, static_cast<GLsizei>(count), mesh.index_type, reinterpret_cast<const void*>(first * size));
 }
 
 const TopologyFacts& facts_of(Topology topology) {

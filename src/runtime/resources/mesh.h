@@ -22,7 +22,8 @@ struct GpuMesh {
     gl::Buffer vertices, indices;
     Topology topology = Topology::triangles;
     int patch_vertices = 3;
-    std::uint32_t count = 0;
+    std::uint32_t count = 0;  // of indices
+    GLenum index_type = GL_UNSIGNED_INT;
     std::vector<content::MeshPart> parts;
     bool has_color = false;
     bool has_w = false;  // some w is not 1
@@ -34,6 +35,8 @@ struct GpuMesh {
 };
 
 GpuMesh upload(const content::Mesh& mesh);
+// Draws `count` of its indices from `first` on.
+void draw_elements(GLenum mode, const GpuMesh& mesh, std::uint32_t first, std::uint32_t count);
 
 struct TopologyFacts {
     GLenum mode;   // of the draw

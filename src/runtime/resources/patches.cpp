@@ -76,8 +76,7 @@ void PatchDraw::draw(LinkedProgram& program, const GpuMesh& mesh, std::size_t pa
         } else if (piece.domain.count > 0) {
             state.program(program.program.get());
             state.vertex_array(piece.domain.array.get());
-            glDrawElements(facts_of(piece.domain.topology).mode, static_cast<GLsizei>(piece.domain.count),
-                           GL_UNSIGNED_INT, nullptr);
+            draw_elements(facts_of(piece.domain.topology).mode, piece.domain, 0, piece.domain.count);
         }
         if (!made.kept) piece = {piece.first, piece.patches, {}, {}, {}};
     }

@@ -175,9 +175,9 @@ export class Page {
             canvas: this.canvas,
             clock: this.clock,
             ready: () => this.session.shown !== undefined && !this.lost && !this.endless,
-            drawn: (milliseconds, divisor) => {
+            drawn: (milliseconds, coarse) => {
                 const { width, height } = this.painter!.frame();
-                this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${divisor > 1 ? ', coarser' : ''}`;
+                this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${coarse ? ', coarser' : ''}`;
             },
             costs: (costs) => this.showProblems([...this.current, ...costs]),
             goesOn: (milliseconds, divisor) => this.goesOn(milliseconds, divisor),

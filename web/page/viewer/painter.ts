@@ -1,7 +1,6 @@
 // When the picture is drawn, and how large: only if something changed or time runs, at most once a frame of the display.
 import type { Engine, Frame, Problem } from '../engine.ts';
 import type { Clock } from './clock.ts';
-import { Coarseness } from './coarse.ts';
 
 export interface PainterOptions {
     engine: Engine;
@@ -10,7 +9,7 @@ export interface PainterOptions {
     // Nothing can be drawn yet, or the context is lost.
     ready(): boolean;
     // After each picture but the small first one, when the graphics have finished it.
-    drawn(milliseconds: number, divisor: number): void;
+    drawn(milliseconds: number, coarse: boolean): void;
     // What a picture was found to cost.
     costs(costs: Problem[]): void;
     // The clock moved.
@@ -38,7 +37,6 @@ export class Painter {
     private dragged = false;
     private scheduled = false;
     private size: [number, number] = [0, 0];
-    private readonly coarse = new Coarseness();
     private divisor = 1;
     // The next picture is the first one of a scene, with this divisor; 0: it is not.
     private first = preview;
@@ -47,8 +45,8 @@ export class Painter {
     private waits = false;
     // The same first picture is drawn a second time.
     private again = false;
-    // What is being drawn.
-    private drawing: 'first' | 'drag' | 'sharp' = 'sharp';
+    // It is being drawn.
+    private drawsFirst = false;
     private began: number | undefined;
     // Passed when the graphics have finished the last picture.
     private fence: WebGLSync | null = null;
@@ -147,12 +145,15 @@ export class Painter {
         }
         this.fence = null;
         this.began = undefined;
-        const now = performance.now();
-        if (this.drawing === 'drag') this.coarse.took(milliseconds, now);
-        if (this.drawing === 'first' && this.slow(milliseconds)) return false;
-        if (this.divisor > this.least) this.sharp = setTimeout(() => this.request(), Math.max(this.coarse.due - now, 0) + 1);
-        if (this.drawing === 'first') performance.mark('First picture');
-        else this.with_.drawn(milliseconds, this.divisor);
+        if (this.drawsFirst) {
+            if (this.slow(milliseconds)) return false;
+            performance.mark('First picture');
+            if (this.divisor > this.least) this.request();
+        } else {
+            const due = this.with_.engine.drew(milliseconds);
+            if (due < Infinity) this.sharp = setTimeout(() => this.request(), due + 1);
+            this.with_.drawn(milliseconds, this.divisor > 1 || due < Infinity);
+        }
         return true;
     }
 
@@ -173,7 +174,7 @@ export class Painter {
         void this.with_.goesOn(milliseconds, divisor).then((goes) => {
             this.waits = false;
             this.least = goes ? 1 : divisor;
-            this.with_.drawn(milliseconds, divisor);
+            this.with_.drawn(milliseconds, true);
             if (goes) this.request();
         });
         return true;
@@ -182,17 +183,17 @@ export class Painter {
     private draw(): void {
         clearTimeout(this.settling);
         clearTimeout(this.sharp);
-        const now = performance.now();
-        this.divisor = Math.max(this.first || this.coarse.next(this.dragged, now), this.least);
-        this.drawing = this.first ? 'first' : this.dragged ? 'drag' : 'sharp';
+        const { dragged } = this;
+        this.divisor = Math.max(this.first, this.least);
+        this.drawsFirst = this.first > 0;
         this.first = 0;
         this.dirty = this.dragged = false;
         const frame = this.frame();
         frame.width = Math.max(Math.round(frame.width / this.divisor), 1);
         frame.height = Math.max(Math.round(frame.height / this.divisor), 1);
         if (frame.mouse) frame.mouse = [frame.mouse[0] / this.divisor, frame.mouse[1] / this.divisor];
-        this.began = now;
-        const costs = this.with_.engine.draw(frame);
+        this.began = performance.now();
+        const costs = this.with_.engine.draw(frame, dragged);
         if (costs.length > 0) this.with_.costs(costs);
         ++this.frames;
         const gl = this.with_.canvas.getContext('webgl2');

@@ -1,10 +1,11 @@
 // Loads what the page has with it, and shows it.
+import make from 'snell-engine';
 import { makeChecker, pageWorker, type WorkerChecker } from '../editor/checker.ts';
 import { Crash, guarded, type Engine } from '../engine.ts';
-import { loadEngine, prepareCanvas } from '../load_engine.ts';
 import { Page } from './app.ts';
 import { el } from '../dom.ts';
 import { readArchive, readRuntime, readScene } from './load.ts';
+import { WasmEngine } from '../wasm.ts';
 
 function showsWebGl(): boolean {
     return el('canvas', {}).getContext('webgl2') !== null;
@@ -34,7 +35,7 @@ function hearPolicies(): void {
 
 async function loadProgram(page: Page, source: string): Promise<Program> {
     const runtime = await readRuntime();
-    const engine = guarded(await loadEngine(runtime), (why) => page.crashed(why));
+    const engine = guarded(await WasmEngine.load(make, runtime), (why) => page.crashed(why));
     return { engine, checker: makeChecker({ spawn: pageWorker(source, runtime), say: (message) => page.say(message) }) };
 }
 
@@ -42,7 +43,8 @@ async function load(page: Page, source: string): Promise<void> {
     const data = readScene();
     page.progress('Unpacking…');
     const program = loadProgram(page, source);
-    const [unpacked, { engine, checker }] = await Promise.all([readArchive().finally(() => prepareCanvas(page.canvas)), program]);
+    // The browser needs as long for the context as for the program, and can prepare both at the same time.
+    const [unpacked, { engine, checker }] = await Promise.all([readArchive().finally(() => void WasmEngine.context(page.canvas)), program]);
     page.progress('Starting…');
     const error = await engine.start(page.canvas);
     if (error !== '') return page.fail(showsWebGl() ? `There is no picture: ${error}` : noWebGl);

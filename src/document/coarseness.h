@@ -1,0 +1,49 @@
+// How coarse the picture is drawn while something is dragged, so that the drag stays smooth: in the window and in
+// pages.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace snell {
+
+// Samples per pixel, and the divisor of the picture's width and height.
+struct Grain {
+    int samples, divide;
+    std::string_view text;  // for the status line
+
+    int part_of(int pixels) const { return (pixels + divide - 1) / divide; }
+};
+inline constexpr std::array<Grain, 4> grains{
+    {{4, 1, ""}, {1, 1, "1 sample"}, {1, 2, "1 sample, half size"}, {1, 4, "1 sample, quarter size"}}};
+
+class Coarseness {
+public:
+    static constexpr double slow = 33;   // milliseconds of a frame, above which the next one is coarser
+    static constexpr double rest = .15;  // seconds without a change, after which the picture is sharp
+    static constexpr double again = .3;  // seconds between changes that are one gesture without a button: wheel, keys
+
+    // Returns the index into `grains` of the next frame. `moved`: the user's input changes the picture; `held`: a mouse
+    // button is down; `now` is in seconds.
+    int next(bool moved, bool held, double now);
+    // Tells the time of the frame that was drawn, in milliseconds. The first one of a scene or of a grain may compile,
+    // so it is not judged.
+    void drew(double ms);
+    // The same for what was drawn beside it.
+    void drew_beside(double ms) { costs_[static_cast<std::size_t>(grain_)].ms += ms; }
+    // Nothing is dragged any more, as far as the mouse tells: the next picture is sharp.
+    void released() { until_ = -1e9; }
+    // When a sharp picture is due if nothing moves; infinite if the picture is sharp.
+    double due() const;
+
+private:
+    int grain_ = 0, dragged_ = 1;  // of the next frame; of the last drag
+    struct Cost {
+        int frames = 0;
+        double ms = 0;  // of the last frame
+    };
+    std::array<Cost, grains.size()> costs_{};
+    double moved_ = -1e9, until_ = -1e9;  // when the picture changed last; when it becomes sharp
+};
+
+}  // namespace snell
