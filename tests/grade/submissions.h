@@ -22,9 +22,7 @@ protected:
         folder.write(where + "/ball.vert", vertex);
         folder.write(where + "/ball.frag", fragment);
     }
-    Outcome grade(const std::string& arguments) const {
-        return run("cd '" + folder.path() + "' && env -u DISPLAY " SNELL_BIN "/snell grade " + arguments);
-    }
+    Outcome grade(const std::string& arguments) const { return snell("grade " + arguments, "", folder.path()); }
     Outcome python(const std::string& program) const {
         folder.write("make.py", program);
         return run("cd '" + folder.path() + "' && python3 make.py");
