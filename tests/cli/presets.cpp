@@ -24,9 +24,7 @@ protected:
                R"(", "presets": {"fast": {"ladders": ["METHOD=last"], "rmse": 0.1, "ratio": "1 [1, 1]",)"
                R"( "settled": true, "trusted": true}}})";
     }
-    Outcome in_folder(const std::string& arguments) const {
-        return snell(arguments, "", at("k"));
-    }
+    Outcome in_folder(const std::string& arguments) const { return snell(arguments, "", at("k")); }
     Outcome render(const std::string& more) const { return in_folder("render k.glib -o k.png --quality fast " + more); }
     std::string file() const { return at("k/k.quality.json"); }
 };

@@ -113,6 +113,7 @@ void load_driver() {
         const GLuint shader = create(GL_VERTEX_SHADER);
         source(shader, 1, &text, nullptr);
         compile(shader);
+        eglBindAPI(EGL_OPENGL_ES_API);  // as it is where a process begins, which copies believe to do
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         return;
     }

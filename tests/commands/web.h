@@ -24,7 +24,7 @@ protected:
         folder.write("paint.frag",
                      "uniform float uRed;\nuniform sampler2D uWood;\n"
                      "void main() { gl_FragColor = vec4(uRed, texture2D(uWood, vec2(.5)).gb, 1.); }\n");
-        folder.write("wood.bmp", bytes_of(SNELL_ROOT "/scenes/environments/room/posx.bmp"));
+        folder.write("wood.bmp", bytes_of(SNELL_ROOT "/tests/cases/files/letter.bmp"));
     }
     Outcome web(const std::string& arguments, const std::string& environment = "") const {
         return snell("web " + arguments, "SNELL_WEB=web " + environment, folder.path());
