@@ -1,7 +1,6 @@
 #include "src/content/files.h"
 
 #include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -31,7 +30,14 @@ std::error_code walk(const fs::path& folder, const Visit& visit) {
 
 std::string whole_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    std::string text;
+    for (std::size_t more = 1 << 16; file; more *= 2) {
+        const std::size_t size = text.size();
+        text.resize(size + more);
+        file.read(&text[size], static_cast<std::streamsize>(more));
+        text.resize(size + static_cast<std::size_t>(file.gcount()));
+    }
+    return text;
 }
 
 }  // namespace snell::content

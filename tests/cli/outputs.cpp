@@ -26,9 +26,7 @@ protected:
         fs::create_symlink("out/old.json", folder.path("alias.json"));
     }
     // In the folder, as somebody who stands there.
-    Outcome in_folder(const std::string& command) const {
-        return run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + command);
-    }
+    Outcome in_folder(const std::string& command) const { return snell(command, "", folder.path()); }
     Outcome measure(const std::string& outputs) const {
         return in_folder("accuracy s.glib --ladders WAY --knobs samples --no-time --size 8x8 " + outputs);
     }
@@ -232,7 +230,7 @@ TEST_F(Outputs, OfPicturesAreLookedAtBeforeAnythingIsDrawn) {
 class StandardOutput : public CommandTest {
 protected:
     std::string out(const std::string& arguments) const {
-        return run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + arguments + " 2> said").output;
+        return snell(arguments + " 2> said", "", folder.path()).output;
     }
 };
 
@@ -260,7 +258,7 @@ TEST_F(StandardOutput, JsonTakesAFileOrNothing) {
     }
     const std::string scene = bytes_of(at("s.glib"));
     EXPECT_EQ(out("check --json s.glib").front(), '[') << "a scene is no file to write";
-    EXPECT_EQ(run(SNELL_BIN "/snell check " + at("s.glib") + " --json=" + at("s.glib")).status, 2);
+    EXPECT_EQ(snell("check " + at("s.glib") + " --json=" + at("s.glib")).status, 2);
     EXPECT_EQ(bytes_of(at("s.glib")), scene);
 }
 
@@ -279,9 +277,9 @@ TEST_F(StandardOutput, ChecksForServices) {
     folder.write("good.glib", "Sphere 1\n");
     folder.write("warns.glib", "Sphere 1 9 9 9\n");
     folder.write("bad.glib", "Sphre 1\n");
-    EXPECT_EQ(run(SNELL_BIN "/snell check --werror " + at("good.glib")).status, 0);
-    EXPECT_EQ(run(SNELL_BIN "/snell check " + at("warns.glib")).status, 0);
-    EXPECT_EQ(run(SNELL_BIN "/snell check --werror " + at("warns.glib")).status, 1);
+    EXPECT_EQ(snell("check --werror " + at("good.glib")).status, 0);
+    EXPECT_EQ(snell("check " + at("warns.glib")).status, 0);
+    EXPECT_EQ(snell("check --werror " + at("warns.glib")).status, 1);
     const std::string lines = out("check --lines warns.glib bad.glib");
     EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 2) << lines;
     EXPECT_NE(lines.find("bad.glib:1:1: error: "), std::string::npos) << lines;
@@ -306,10 +304,9 @@ TEST_F(StandardOutput, ScenesOfOneNameAreToldApart) {
     for (const char* file : {"p-ann.png", "p-bob.png"}) EXPECT_TRUE(std::filesystem::exists(at(file))) << file;
     out(scenes + "-o 'q-{parent}-{dir}.png'");
     EXPECT_TRUE(std::filesystem::exists(at("q-bob-work.png")));
-    EXPECT_TRUE(run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + scenes + "-o '{stem}.png'").says("{path}"));
+    EXPECT_TRUE(snell(scenes + "-o '{stem}.png'", "", folder.path()).says("{path}"));
     folder.write("class/eve/work/project.glib", "Sphre 1\n");
-    const Outcome outcome =
-        run("cd '" + folder.path() + "' && " SNELL_BIN "/snell " + scenes + "-o 'r-{path}.png' --set uNone=1");
+    const Outcome outcome = snell(scenes + "-o 'r-{path}.png' --set uNone=1", "", folder.path());
     EXPECT_TRUE(outcome.says("class/ann/work/project.glib: error: ")) << outcome.output;
     const auto json = nlohmann::json::parse(bytes_of(at("r.json")), nullptr, false);
     ASSERT_EQ(json["results"].size(), 3u);

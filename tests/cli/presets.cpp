@@ -24,10 +24,7 @@ protected:
                R"(", "presets": {"fast": {"ladders": ["METHOD=last"], "rmse": 0.1, "ratio": "1 [1, 1]",)"
                R"( "settled": true, "trusted": true}}})";
     }
-    // A reader that blocks ends with status 124.
-    Outcome in_folder(const std::string& arguments) const {
-        return run("cd " + at("k") + " && timeout 20 " SNELL_BIN "/snell " + arguments);
-    }
+    Outcome in_folder(const std::string& arguments) const { return snell(arguments, "", at("k")); }
     Outcome render(const std::string& more) const { return in_folder("render k.glib -o k.png --quality fast " + more); }
     std::string file() const { return at("k/k.quality.json"); }
 };

@@ -1,12 +1,6 @@
-// The program itself, as a shell calls it.
+// The program, as a shell calls it.
 #pragma once
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
@@ -20,39 +14,19 @@ struct Outcome {
     bool says(std::string_view text) const { return output.find(text) != std::string::npos; }
 };
 
+// What a shell makes of a command.
+Outcome run(const std::string& command);
+
+// The same of `snell ARGUMENTS` in a folder, with assignments before it, and without a display. A line of plain or
+// quoted words and redirections is run in a copy of a process that has loaded the driver, which takes a fifth of the
+// time that a program takes to start; all others, and those with variables of drivers, by a shell.
+Outcome snell(const std::string& arguments, const std::string& environment = "", const std::string& folder = ".");
+
 // Seconds that processors spent on the processes that were run and have ended: unlike the wall's time, it does not
 // depend on what else the machine does.
-inline double processor_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_CHILDREN, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-inline Outcome run(const std::string& command) {
-    Outcome outcome;
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    std::array<char, 4096> buffer{};
-    for (size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) outcome.output.append(buffer.data(), n);
-    outcome.status = WEXITSTATUS(pclose(pipe));
-    return outcome;
-}
-
-inline Outcome snell(const std::string& arguments, const std::string& environment = "") {
-    return run("env -u DISPLAY -u WAYLAND_DISPLAY " + environment + " " SNELL_BIN "/snell " + arguments);
-}
+double processor_seconds();
 
 // The least of three runs, in processor time, whatever the driver's cache holds.
-inline double cost_of(const std::string& arguments) {
-    double best = 1e9;
-    for (int i = 0; i < 3; ++i) {
-        const double before = processor_seconds();
-        snell(arguments, "MESA_SHADER_CACHE_DISABLE=true");
-        best = std::min(best, processor_seconds() - before);
-    }
-    return best;
-}
+double cost_of(const std::string& arguments);
 
 }  // namespace snell::test

@@ -8,17 +8,17 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/harness/harness.h"
+#include "tests/cli/command.h"
 #include "tests/sanitized.h"
 
 namespace snell::test {
 namespace {
 
-class Accuracy : public GlTest {
+class Accuracy : public CommandTest {
 protected:
     void SetUp() override {
-        GlTest::SetUp();
-        if (!context) return;
+        CommandTest::SetUp();
+        if (IsSkipped()) return;
         folder.write("lit.vert",
                      "#version 330 compatibility\nout vec3 vN;\nvoid main() { vN = gl_Normal; gl_Position = "
                      "gl_ModelViewProjectionMatrix * gl_Vertex; }\n");
@@ -30,11 +30,8 @@ protected:
                              "Ortho -1.5 1.5 -1.5 1.5\nLookAt 0 0 3 0 0 0 0 1 0\nSphere 1 12 12\n");
     }
 
-    int run(const std::string& arguments, const std::string& before = "") {
-        const std::string command = before + SNELL_BIN "/snell accuracy " + scene + " " + arguments + " > " +
-                                    folder.path("out.txt") + " 2> " + folder.path("err.txt");
-        const int status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    int run(const std::string& arguments) const {
+        return snell("accuracy " + scene + " " + arguments + " >out.txt 2>err.txt", "", folder.path()).status;
     }
     std::string text(const std::string& name) const { return bytes_of(folder.path(name)); }
 
@@ -92,12 +89,11 @@ TEST_F(Accuracy, WritesEveryFormat) {
 
 TEST_F(Accuracy, InterruptedItWritesWhatItHas) {
     const int seconds = static_cast<int>(2 * patience);
-    EXPECT_EQ(run("--size 100x100 --reps 5000 --budget " + std::to_string(3 * seconds) + " --ladders SHADE --json " +
-                      folder.path("r.json"),
-                  "timeout --foreground -s INT " + std::to_string(seconds) +
-                      " "),  // else it comes twice, and the second ends it
-              124)           // of `timeout`, which waited for the end
-        << text("err.txt");
+    // In the foreground: else it comes twice, and the second ends it.
+    const Outcome ended = test::run("timeout --foreground -s INT " + std::to_string(seconds) +
+                                    " " SNELL_BIN "/snell accuracy " + scene + " --size 100x100 --reps 5000 --budget " +
+                                    std::to_string(3 * seconds) + " --ladders SHADE --json " + folder.path("r.json"));
+    EXPECT_EQ(ended.status, 124) << "of `timeout`, which waited for the end: " << ended.output;
     const auto json = nlohmann::json::parse(text("r.json"));
     EXPECT_EQ(json["ladders"][0]["interrupted"], true);
     EXPECT_EQ(json["ladders"][0]["rungs"][0]["drawn"], true);
@@ -198,10 +194,8 @@ TEST_F(Accuracy, ReportsOfTwoMachinesAreMerged) {
 // Presets are found by measurement, kept beside the scene, and said when they are used; what is typed wins.
 TEST_F(Accuracy, PresetsAreMeasuredKeptAndSaid) {
     const auto render = [&](const std::string& arguments, const std::string& picture) {
-        const std::string command = SNELL_BIN "/snell render " + scene + " --size 64x64 -o " + folder.path(picture) +
-                                    " " + arguments + " 2> " + folder.path("err.txt");
-        const int status = std::system(command.c_str());
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return snell("render scene.glib --size 64x64 -o " + picture + " " + arguments + " 2>err.txt", "", folder.path())
+            .status;
     };
     EXPECT_EQ(render("--quality exact", "none.png"), 1) << "nothing was measured yet";
     EXPECT_NE(text("err.txt").find("--save-quality"), std::string::npos) << text("err.txt");

@@ -9,12 +9,12 @@ namespace {
 
 // What each subcommand is asked of a scene; in the others, scenes are texts or belong to somebody else.
 const std::map<std::string_view, std::vector<std::string>> asked{
-    {"render", {"-o o.png --size 32x32"}},
-    {"sweep", {"--over uA=0:1:2 -o 'o{uA}.png' --size 32x32"}},
+    {"render", {"-o o.png --size 16x16"}},
+    {"sweep", {"--over uA=0:1:2 -o 'o{uA}.png' --size 16x16"}},
     {"check", {"", "--no-lint", "--json"}},
-    {"compare", {"fine.glib --size 32x32"}},
-    {"explain", {"--no-time --size 32x32"}},
-    {"accuracy", {"--list-found", "--apply 1 -o rung", "--no-time --no-found --knobs samples --size 32x32"}},
+    {"compare", {"fine.glib --size 16x16"}},
+    {"explain", {"--no-time --size 16x16"}},
+    {"accuracy", {"--list-found", "--apply 1 -o rung", "--no-time --no-found --knobs samples --size 16x16"}},
     {"save", {"--set uA=.6 -o saved.glib"}},
     {"web", {"-o page.html"}},
 };
@@ -46,8 +46,7 @@ TEST_F(BrokenScenes, EndEverySubcommandWithOne) {
         for (const std::string& options : found->second)
             for (const char* name : {"fine.glib", "statement.glib", "file.glib", "shader.glib"}) {
                 const Outcome outcome =
-                    run("cd " + folder.path() + " && env -u DISPLAY SNELL_WEB=web " SNELL_BIN "/snell " + row.name +
-                        " " + name + " " + options);
+                    snell(std::string(row.name) + " " + name + " " + options, "SNELL_WEB=web", folder.path());
                 EXPECT_EQ(outcome.status, name == std::string_view("fine.glib") ? 0 : 1)
                     << row.name << ' ' << name << ' ' << options << '\n'
                     << outcome.output;

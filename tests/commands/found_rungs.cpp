@@ -36,9 +36,7 @@ protected:
         folder.write("work/sub/shade.glsl", ball_shade);
         folder.write("work/tex/wood.bmp", bmp(2, 2, {{90, 60, 30}, {200, 150, 90}, {10, 20, 30}, {255, 250, 240}}));
     }
-    Outcome accuracy(const std::string& arguments) const {
-        return run("cd " + folder.path() + " && " SNELL_BIN "/snell accuracy " + arguments);
-    }
+    Outcome accuracy(const std::string& arguments) const { return snell("accuracy " + arguments, "", folder.path()); }
     // The bytes of all files by their names.
     std::map<std::string, std::string> everything(const std::string& name) const {
         std::map<std::string, std::string> files;

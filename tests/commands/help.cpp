@@ -131,16 +131,16 @@ TEST(Colors, AreOnATerminalOnly) {
     EXPECT_TRUE(snell(check, "CLICOLOR_FORCE=1").says("\x1b[1;31merror:"));
     EXPECT_TRUE(snell(check + " --color always").says("\x1b[1;31m^~~~~"));
     EXPECT_TRUE(snell("--color always " + folder.path("none.glib")).says("\x1b[1;31merror:"));
-    const Outcome full = run("sh -c '" SNELL_BIN "/snell " + check + " --color always >/dev/full'");
+    const Outcome full = snell(check + " --color always >/dev/full");
     EXPECT_EQ(full.status, 1);
     EXPECT_TRUE(full.says("cannot write to standard output")) << full.output;
     const std::string last = folder.write("b.glib", "Sphere 1");
-    EXPECT_EQ(run(SNELL_BIN "/snell format --color always - <" + last).output, "Sphere 1") << "without a line end";
+    EXPECT_EQ(snell("format --color always - <" + last).output, "Sphere 1") << "without a line end";
 }
 
 TEST(Help, OnAFullDiskIsAnError) {
     for (const std::string asked : {"--help", "--version", "help", "render --help"}) {
-        const Outcome full = run("sh -c '" SNELL_BIN "/snell " + asked + " >/dev/full'");
+        const Outcome full = snell(asked + " >/dev/full");
         EXPECT_EQ(full.status, 1) << asked;
         EXPECT_TRUE(full.says("cannot write to standard output")) << asked << full.output;
     }

@@ -17,9 +17,7 @@ namespace fs = std::filesystem;
 
 class New : public testing::Test {
 protected:
-    Outcome make(const std::string& arguments) const {
-        return run("cd " + folder.path() + " && " SNELL_BIN "/snell new " + arguments);
-    }
+    Outcome make(const std::string& arguments) const { return snell("new " + arguments, "", folder.path()); }
     std::set<std::string> files(const std::string& name) const {
         std::set<std::string> found;
         for (const auto& entry : fs::recursive_directory_iterator(folder.path(name)))
@@ -102,7 +100,7 @@ TEST_F(New, UnusualNamesWork) {
         const Outcome made = make("'" + quoted + "' --kind blank");
         ASSERT_EQ(made.status, 0) << made.output;
         const std::string line = made.output.substr(made.output.find("open it: snell ") + 15);
-        const Outcome checked = run("cd " + folder.path() + " && " SNELL_BIN "/snell check " + line);
+        const Outcome checked = snell("check " + line, "", folder.path());
         EXPECT_EQ(checked.status, 0) << line << checked.output;
         EXPECT_TRUE(fs::exists(folder.path(name + "/" + name + ".glib"))) << name;
     }

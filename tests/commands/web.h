@@ -24,11 +24,10 @@ protected:
         folder.write("paint.frag",
                      "uniform float uRed;\nuniform sampler2D uWood;\n"
                      "void main() { gl_FragColor = vec4(uRed, texture2D(uWood, vec2(.5)).gb, 1.); }\n");
-        folder.write("wood.bmp", bytes_of(SNELL_ROOT "/scenes/environments/room/posx.bmp"));
+        folder.write("wood.bmp", bytes_of(SNELL_ROOT "/tests/cases/files/letter.bmp"));
     }
     Outcome web(const std::string& arguments, const std::string& environment = "") const {
-        return run("cd '" + folder.path() + "' && env -u DISPLAY SNELL_WEB=web " + environment +
-                   " " SNELL_BIN "/snell web " + arguments);
+        return snell("web " + arguments, "SNELL_WEB=web " + environment, folder.path());
     }
     // Unpacks the page by Python, and returns its data.
     nlohmann::json unpack(const std::string& page, const std::string& to) const {
@@ -40,8 +39,8 @@ protected:
     }
     // The picture of a scene, which must have neither errors nor warnings that `quiet` forbids.
     content::Image drawn(const std::string& scene, const std::string& arguments = "") const {
-        const Outcome outcome = run("cd '" + folder.path() + "' && " SNELL_BIN "/snell render '" + scene +
-                                    "' -o drawn.png --size 32x24 " + arguments);
+        const Outcome outcome =
+            snell("render '" + scene + "' -o drawn.png --size 32x24 " + arguments, "", folder.path());
         EXPECT_EQ(outcome.status, 0) << outcome.output;
         return picture("drawn.png");
     }

@@ -113,7 +113,8 @@ TEST_F(WebFiles, TwoFilesOfOneNameAreRefusedWhereOneMustMove) {
 
 // Pages of cube maps are mostly these: without what neighbours foretell, they pack into much less.
 TEST_F(WebFiles, ABmpImageIsPackedWithoutLoss) {
-    const std::string bytes = bytes_of(at("wood.bmp"));
+    const std::string bytes = bytes_of(SNELL_ROOT "/scenes/environments/room/posx.bmp");
+    folder.write("wood.bmp", bytes);
     folder.write("w.glib", quad("wood.bmp"));
     ASSERT_EQ(web("w.glib -o p.html").status, 0);
     unpack("p.html", "un");

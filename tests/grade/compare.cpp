@@ -22,9 +22,7 @@ protected:
         if (x >= 0) pixels[static_cast<std::size_t>(y * 20 + x)] = {other, other, other};
         folder.write(name, bmp(20, 10, pixels));
     }
-    Outcome compare(const std::string& arguments) const {
-        return run("cd '" + folder.path() + "' && env -u DISPLAY " SNELL_BIN "/snell compare " + arguments);
-    }
+    Outcome compare(const std::string& arguments) const { return snell("compare " + arguments, "", folder.path()); }
     json figures(const std::string& arguments) const {
         return json::parse(compare(arguments + " --json").output, nullptr, false)["pairs"][0];
     }
@@ -130,8 +128,8 @@ TEST_F(Compare, DisplayedValuesAreTheBytesOfAPng) {
     for (const std::string name : {"own", "light"}) {
         const std::string displayed = name == "own" ? " --displayed" : "";
         for (const std::string& file : {name + ".png", name + ".exr", std::string("more.exr")})
-            ASSERT_EQ(run(SNELL_BIN "/snell render -q " + at(name + ".glib") + " --size 32x16 -o " + at(file) +
-                          (file == "more.exr" ? " --set uMost=8" : ""))
+            ASSERT_EQ(snell("render -q " + at(name + ".glib") + " --size 32x16 -o " + at(file) +
+                            (file == "more.exr" ? " --set uMost=8" : ""))
                           .status,
                       0);
         const json all = figures(name + ".exr " + name + ".png --threshold 0.004" + displayed);  // one step
@@ -167,7 +165,7 @@ TEST_F(Compare, OtherSizesAreDifferent) {
 
 TEST_F(Compare, ScenesAreDrawn) {
     const std::string scene = SNELL_ROOT "/tests/cases/Sphere.glib";
-    ASSERT_EQ(run(SNELL_BIN "/snell render -q " + scene + " -o " + at("p.png") + " --size 64x48").status, 0);
+    ASSERT_EQ(snell("render -q " + scene + " -o " + at("p.png") + " --size 64x48").status, 0);
     EXPECT_EQ(figures(scene + " p.png")["display"]["max"], 0) << "in the size of the picture";
     EXPECT_EQ(figures("p.png " + scene)["display"]["max"], 0);
     EXPECT_EQ(figures(scene + " " + scene + " --size 32x32")["size"], json::array({32, 32}));

@@ -157,10 +157,10 @@ TEST_F(Disk, StandardOutputThatIsFull) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
     for (const std::string& command : {"check --json " + at("s.glib"), std::string("info"), std::string("commands"),
                                        "explain --no-time --size 8x8 " + at("s.glib")}) {
-        const Outcome full = run("{ " SNELL_BIN "/snell " + command + " >/dev/full; }");
+        const Outcome full = snell(command + " >/dev/full");
         EXPECT_EQ(full.status, 1) << command << '\n' << full.output;
         EXPECT_TRUE(full.says("No space left on device")) << command << '\n' << full.output;
-        EXPECT_EQ(run(SNELL_BIN "/snell " + command).status, 0) << command;
+        EXPECT_EQ(snell(command).status, 0) << command;
     }
 }
 

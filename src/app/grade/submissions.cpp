@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -229,9 +230,16 @@ std::string build_of_program() {
     std::string build;
     for (const std::string& file : {std::string("/proc/self/exe"), content::module_path("snell_oiio.so"),
                                     content::module_path("snell_archive.so")}) {
-        const std::string program = content::whole_file(file);
-        const auto* bytes = reinterpret_cast<const Bytef*>(program.data());
-        build += fmt::format("{}-{:x} ", program.size(), crc32_z(0, bytes, program.size()));
+        std::ifstream program(file, std::ios::binary);
+        std::array<char, 1 << 16> part{};
+        std::size_t size = 0;
+        uLong sum = 0;
+        while (program.read(part.data(), part.size()), program.gcount() > 0) {
+            const auto more = static_cast<std::size_t>(program.gcount());
+            sum = crc32_z(sum, reinterpret_cast<const Bytef*>(part.data()), more);
+            size += more;
+        }
+        build += fmt::format("{}-{:x} ", size, sum);
     }
     return build;
 }
