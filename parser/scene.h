@@ -377,6 +377,7 @@ struct Scene {
     Encoding output = Encoding::raw;          // of the window, whose shaders write light if it is encoded
     double timer_period = 10;                 // in seconds
     int noise2d = 64, noise3d = 64;
+    std::array<Span, 2> noise_spans;  // of the statements that say so, if any
     bool gstap = false;
     bool verbose = false;
     std::vector<Message> messages;

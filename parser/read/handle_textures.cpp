@@ -56,7 +56,8 @@ void texture(Builder& b, const Arguments& a, TextureTarget target, std::size_t s
     b.bind(std::move(t));
 }
 
-void noise(Builder& b, const Arguments& a, int& resolution, std::uint64_t Limits::*limit) {
+void noise(Builder& b, const Arguments& a, int& resolution, Span& span, std::uint64_t Limits::*limit) {
+    span = a.span();
     const auto largest = static_cast<int>(b.limits().*limit);
     if (a.integer(0) >= 1 && a.integer(0) <= largest) {
         resolution = a.integer(0);
@@ -144,8 +145,12 @@ void filter(Builder& b, const Arguments& a) {
                            "anisotropy is 1 to 16: " + std::to_string(b.filter.anisotropy) + " is used");
 }
 
-void noise_2d(Builder& b, const Arguments& a) { noise(b, a, b.scene().noise2d, &Limits::noise_2d); }
-void noise_3d(Builder& b, const Arguments& a) { noise(b, a, b.scene().noise3d, &Limits::noise_3d); }
+void noise_2d(Builder& b, const Arguments& a) {
+    noise(b, a, b.scene().noise2d, b.scene().noise_spans[0], &Limits::noise_2d);
+}
+void noise_3d(Builder& b, const Arguments& a) {
+    noise(b, a, b.scene().noise3d, b.scene().noise_spans[1], &Limits::noise_3d);
+}
 
 void render_to_texture(Builder& b, const Arguments& a) {
     Pass pass;

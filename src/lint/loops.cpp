@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -201,6 +202,42 @@ double Walker::rounds_of(const Loop& loop) {
     if (!std::isfinite(rounds) || rounds <= 0) return 0;
     if ((up && op == "<") || (down && op == ">")) return std::ceil(rounds);
     return (up && op == "<=") || (down && op == ">=") ? std::floor(rounds) + 1 : 0;
+}
+
+// Sums and differences of names and numbers.
+bool Walker::linear(int node) const {
+    constexpr std::array forms{Form::name,       Form::number,      Form::group,     Form::infix, Form::assign,
+                               Form::declarator, Form::declaration, Form::evaluated, Form::empty};
+    for (int k = at(node).begin; k <= node; ++k)
+        if (ranges::count(forms, at(k).form) == 0 ||
+            (at(k).form == Form::infix && std::string_view("+ - < <= > >=").find(at(k).text) == std::string_view::npos))
+            return false;
+    return true;
+}
+
+// What depends on counters of the loops around goes round as often as with their middle on average. It is more on
+// average if it is nothing for some. `begins`: of `for`; -1: nothing.
+double Walker::rounds_on_average(const Loop& loop, int begins) {
+    if (middles_.empty() || !linear(loop.condition) || (begins >= 0 && !linear(begins))) return 0;
+    const State kept = state_;
+    for (const auto& [variable, middle] : middles_) slot(variable).value.range = exactly(middle);
+    if (begins >= 0) statement(begins);
+    const double rounds = rounds_of(loop);
+    state_ = kept;
+    return rounds == endless ? 0 : rounds;
+}
+
+// Halfway between the first and the last value of a loop's counter.
+std::optional<std::pair<int, double>> Walker::middle_of(const Loop& loop, double rounds) {
+    const std::vector<int> sides = parts(loop.condition);
+    if (!(rounds >= 1 && rounds < very_many) || sides.empty() || at(sides[0]).variable < 0) return std::nullopt;
+    const int variable = at(sides[0]).variable;
+    const Range from = slot(variable).value.range;
+    const auto updates = updates_of(variable, loop);
+    if (!updates || updates->size() != 1 || from != exactly(from.lo)) return std::nullopt;
+    const auto [op, by] = updates->front();
+    if (op != '+' && op != '-') return std::nullopt;
+    return std::pair(variable, from.lo + std::floor((rounds - 1) / 2) * (op == '+' ? by : -by));
 }
 
 bool never_ends(const Diagnostic& found) {

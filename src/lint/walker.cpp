@@ -143,7 +143,11 @@ void Walker::loop(int node) {
     if (all.size() != (counted ? 4 : 2)) return;  // not understood
     if (counted) statement(all[0]);
     const int condition = all[counted ? 1 : 0], step = counted ? all[2] : -1, body = all.back();
-    const double rounds = rounds_of({condition, step, body}), weight = weight_;
+    const Loop own{condition, step, body};
+    double rounds = rounds_of(own);
+    if (rounds == 0) rounds = rounds_on_average(own, counted ? all[0] : -1);
+    const auto middle = middle_of(own, rounds);
+    const double weight = weight_;
     go_round(rounds, at(node).first, at(counted ? step : condition).last + 1);
     weight_ *= std::max(rounds, 1.0);
     forget_stored(at(condition).begin, body);
@@ -152,7 +156,9 @@ void Walker::loop(int node) {
     condition_on(at(node).begin, at(body).begin - 1);
     nonuniform_ += varies ? 1 : 0;
     perhaps_ += rounds > 0 ? 0 : 1;
+    if (middle) middles_.insert(*middle);
     statement(body);
+    if (middle) middles_.erase(middle->first);
     perhaps_ -= rounds > 0 ? 0 : 1;
     nonuniform_ -= varies ? 1 : 0;
     weight_ = weight;

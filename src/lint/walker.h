@@ -102,6 +102,9 @@ private:
                                  glsl::Base base);
     bool stays_true(const Loop& loop);
     double rounds_of(const Loop& loop);
+    bool linear(int node) const;
+    double rounds_on_average(const Loop& loop, int begins);
+    std::optional<std::pair<int, double>> middle_of(const Loop& loop, double rounds);
     void go_round(double rounds, int first, int last);
 
     // expressions (expressions.cpp)
@@ -165,6 +168,7 @@ private:
     std::optional<State> ended_;                  // what main left where it returned early
     std::set<int> unstable_;                      // global variables that functions assign
     double rounds_ = 0, weight_ = 1;              // of all loops so far; of those around
+    std::map<int, double> middles_;  // of the counters of loops around, by variable: halfway between first and last
     bool told_rounds_ = false;
     int perhaps_ = 0;     // branches, and loops of unknown rounds, around: what stands there may never run
     int nonuniform_ = 0;  // branches around that only some fragments take

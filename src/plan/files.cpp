@@ -20,6 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view outside_reason =
+    "it is outside of the folder that reading is confined to, and only files inside may be read";
+
 // The search in a folder stops after this many entries.
 constexpr std::size_t max_entries = 100'000;
 
@@ -251,7 +254,7 @@ Resolved Files::handed_out(std::string_view written, const std::vector<std::stri
         };
         const auto best = std::min_element(begin, end, [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
         if (best != end)
-            return {best->second, last_component(best->second) != last_component(tidy(written)), {}, false};
+            return {best->second, last_component(best->second) != last_component(tidy(written))};
     }
     return {};
 }
@@ -260,14 +263,16 @@ Resolved Files::look_for(std::string_view written, const std::vector<std::string
     Resolved found = look_up(written, extensions);
     const std::string name = tidy(written);
     const bool sought = !name.empty() && name.find('\0') == std::string::npos;
-    if (found.path.empty() && !found.outside && sought)
+    if (found.path.empty() && found.refused.empty() && sought)
         found.nearest = Finder{roots_}.most_similar(folder_, name, extensions);
     return found;
 }
 
-std::string Files::find(std::string_view name) const {
+Resolved Files::find(std::string_view name) const {
     const Resolved found = look_up(name, {});
-    return found.path.empty() && !access_.allow.empty() ? handed_out(name, {}).path : found.path;
+    if (!found.path.empty() || access_.allow.empty()) return found;
+    const Resolved shared = handed_out(name, {});
+    return shared.path.empty() ? found : shared;
 }
 
 Resolved Files::look_up(std::string_view written, const std::vector<std::string_view>& extensions) const {
@@ -277,20 +282,23 @@ Resolved Files::look_up(std::string_view written, const std::vector<std::string_
     const auto at = [&](const std::string& relative) {
         return is_absolute(relative) && !has_drive(relative) ? relative : join(folder_, relative);
     };
-    if (std::string path = at(name); finder.is_regular(path)) return {std::move(path), false, {}, false};
-    if (std::string path = finder.find_case(folder_, name); !path.empty()) return {std::move(path), true, {}, false};
+    if (std::string path = at(name); finder.is_regular(path)) return {std::move(path), false};
+    if (std::string path = finder.find_case(folder_, name); !path.empty()) return {std::move(path), true};
     for (const std::string_view extension : extensions) {
         const std::string longer = name + (name.back() == '.' ? "" : ".") + std::string(extension);
-        if (std::string path = at(longer); finder.is_regular(path)) return {std::move(path), true, {}, false};
+        if (std::string path = at(longer); finder.is_regular(path)) return {std::move(path), true};
         if (std::string path = finder.find_case(folder_, longer); !path.empty())
-            return {std::move(path), true, {}, false};
+            return {std::move(path), true};
     }
     // The scene was written on another machine, or before its files were gathered in one folder.
     if (const std::string file(last_component(name)); file != name && file != ".." && !has_drive(file)) {
-        if (Resolved here = look_up(file, extensions); !here.path.empty()) return {here.path, true, {}, false};
+        if (Resolved here = look_up(file, extensions); !here.path.empty()) return {here.path, true};
     }
     struct stat status {};
-    return {{}, false, {}, !roots_.empty() && stat(at(name).c_str(), &status) == 0 && !finder.inside(at(name))};
+    if (stat(at(name).c_str(), &status) != 0) return {};
+    if (!finder.inside(at(name))) return {{}, false, {}, outside_reason};
+    const bool odd = !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+    return {{}, false, {}, odd ? "it is a pipe or a device, not a file" : ""};
 }
 
 Resolved Files::resolve_beside(std::string_view from, std::string_view name,
@@ -304,9 +312,9 @@ Resolved Files::resolve_beside(std::string_view from, std::string_view name,
     const std::string written = tidy(name);
     if (found.inexact && found.path == from && last_component(written) != written) {
         const bool there = fs::exists(is_absolute(written) ? written : join(folder, written));
-        return {{}, false, {}, there};
+        return {{}, false, {}, there ? outside_reason : ""};
     }
-    found.outside = found.outside || (found.path.empty() && beside.outside);
+    if (found.path.empty() && found.refused.empty()) found.refused = beside.refused;
     return found;
 }
 

@@ -24,13 +24,9 @@ struct Resolved {
     std::string path;  // path on disk; empty if the file is not found
     // Found in another case, in another folder or with an added extension; the caller should warn.
     bool inexact = false;
-    std::string nearest;   // if nothing is found: the most similar name, written as in a scene
-    bool outside = false;  // the file exists, but outside of the folder that may be read
+    std::string nearest;            // if nothing is found: the most similar name, written as in a scene
+    std::string_view refused = {};  // if something of that name exists: why it is not read
 };
-
-// Why a file that is `outside` is not read.
-inline constexpr std::string_view outside_reason =
-    "it is outside of the folder that reading is confined to, and only files inside may be read";
 
 // Which files a scene may read, and how large they may be.
 struct Access {
@@ -63,9 +59,8 @@ public:
     // to case; its last component in the folder itself; its last component in Access::allow. '\' counts as '/', and
     // quotes around the name are dropped. A name that was not found is remembered, and its search is not repeated.
     Resolved resolve(std::string_view name, const std::vector<std::string_view>& extensions = {}) const;
-    // The path that resolve() finds, without a search for what may have been meant: for files that scenes may do
-    // without, which most do. "" if there is none.
-    std::string find(std::string_view name) const;
+    // The same without a search for what may have been meant: for files that scenes may do without, which most do.
+    Resolved find(std::string_view name) const;
     // Resolves a name that an included scene or shader contains: relative to the folder of that file, whose path on
     // disk is `from`, and otherwise to this object's folder. A name that leads elsewhere is not taken for `from`
     // itself.

@@ -112,7 +112,7 @@ std::uint64_t file_bytes(const Scene& scene, Index texture, const Files& files) 
 Identity noise_identity(int dimensions, int size, const Files& files) {
     Identity identity;
     put(identity.key, 'n', dimensions, size);
-    put_file(identity, files.find(content::noise_file_name(dimensions, size)));
+    put_file(identity, files.find(content::noise_file_name(dimensions, size)).path);
     return identity;
 }
 

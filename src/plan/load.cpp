@@ -266,12 +266,13 @@ CubeFaces load_cube(const Scene& scene, Index index, Files& files, Diagnostics& 
     return faces;
 }
 
-Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostics) {
+Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostics, Span span) {
     const std::string name = content::noise_file_name(dimensions, size);
-    const std::string path = files.find(name);
-    std::string reason;
-    if (path.empty()) return to_upload(content::make_noise(dimensions, size));
-    if (const std::optional<std::string> bytes = files.read(path, reason)) {
+    const Resolved found = files.find(name);
+    const std::string& path = found.path;
+    std::string reason(found.refused);
+    if (path.empty() && reason.empty()) return to_upload(content::make_noise(dimensions, size));
+    if (const auto bytes = path.empty() ? std::nullopt : files.read(path, reason)) {
         content::ImageResult result = content::decode_image(path, *bytes, image_limits(files));
         const int depth = dimensions == 3 ? size : 1;
         if (result.image && result.image->width == size && result.image->height == size &&
@@ -285,8 +286,8 @@ Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostic
             if (issue.error) reason = issue.message;
         }
     }
-    diagnostics.warning("noise-file", fmt::format("'{}': {}; noise is generated instead", path, reason),
-                        "remove the file, or replace it");
+    const std::string said = fmt::format("'{}': {}; noise is generated instead", path.empty() ? name : path, reason);
+    diagnostics.warning("noise-file", span, said, "remove the file, or replace it").has_span = span != Span{};
     return to_upload(content::make_noise(dimensions, size));
 }
 

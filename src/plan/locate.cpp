@@ -64,8 +64,8 @@ Resolved resolve(const FileName& file, std::string_view name, const Extensions& 
 
 std::string accept(const FileName& file, const Resolved& resolved, const Files& files, Diagnostics& diagnostics) {
     if (resolved.path.empty()) {
-        if (resolved.outside)
-            report_unreadable(file, outside_reason, diagnostics);
+        if (!resolved.refused.empty())
+            report_unreadable(file, resolved.refused, diagnostics);
         else
             report_missing({{file.name, file.span, resolved.nearest}}, diagnostics);
     } else if (resolved.inexact) {
@@ -200,17 +200,17 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
     std::vector<Missing> missing;
     for (const FileName& file : texture.files) {
         Resolved resolved = resolve(file, file.name, image_extensions(), files);
-        if (resolved.path.empty() && !resolved.outside)
+        if (resolved.path.empty() && resolved.refused.empty())
             if (const int noise = noise_size(texture, file.name, files)) {
                 result.push_back({file.name, {}, file.span, noise});
                 continue;
             }
         // posx.bmp is not a slip for posy.bmp, which is one of the other five.
-        if (!resolved.nearest.empty() &&
-            (ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end() ||
-             other_face(file.name, resolved.nearest)))
-            resolved.nearest.clear();
-        if (resolved.path.empty() && !resolved.outside) {
+        const auto other = [&] {
+            return ranges::find(texture.files, resolved.nearest, &FileName::name) != texture.files.end();
+        };
+        if (!resolved.nearest.empty() && (other() || other_face(file.name, resolved.nearest))) resolved.nearest.clear();
+        if (resolved.path.empty() && resolved.refused.empty()) {
             missing.push_back({file.name, file.span, resolved.nearest});
             result.push_back({file.name, {}, file.span});
         } else {

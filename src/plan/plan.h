@@ -94,7 +94,7 @@ content::Image load_texture(const Scene& scene, Index texture, Files& files, Dia
 content::CubeFaces load_cube(const Scene& scene, Index texture, Files& files, Diagnostics& diagnostics,
                              ImageCache* cache = nullptr);
 // Returns the noise of that resolution from the file next to the scene, otherwise generated. `dimensions` is 2 or 3.
-content::Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostics);
+content::Image load_noise(int dimensions, int size, Files& files, Diagnostics& diagnostics, Span span = {});
 
 // ---- what a draw reads and writes ------------------------------------------------------------------------
 

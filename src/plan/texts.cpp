@@ -16,7 +16,7 @@ namespace {
 IncludeReader scene_includes(Files& files) {
     return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
         const Resolved resolved = files.resolve_beside(from, name, scene_extensions());
-        std::string error(resolved.outside ? outside_reason : "");
+        std::string error(resolved.refused);
         if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest, {}, std::move(error)};
         auto text = files.read(resolved.path, error);
         if (!text) return IncludedText{{}, {}, {}, {}, std::move(error)};
@@ -57,7 +57,7 @@ glsl::IncludeReader shader_includes(Files& files) {
             return glsl::IncludeText{std::string(name), std::string(text)};
         }
         const Resolved resolved = files.resolve_beside(from, name, {"glsl"});
-        std::string error(resolved.outside ? outside_reason : "");
+        std::string error(resolved.refused);
         const auto text = resolved.path.empty() ? nullptr : files.read_once(resolved.path, error);
         if (!text && error.empty()) return std::nullopt;
         if (!text) return glsl::IncludeText{{}, {}, std::move(error)};

@@ -206,6 +206,8 @@ TEST_F(Compare, TwoStatesOfASceneAreNamed) {
         {"", "--set twice"},
         {"--set saved", "--set twice"},
         {"--set saved --set nonsense", "names no state"},
+        {"--set '' --set saved", "'' names no state"},
+        {"--set saved --set ' '", "' ' names no state"},
         {"--set saved --set 'snapshot 2'", "there is no snapshot 2; the scene has 1, 3"},
         {"--set saved --set 'snapshot 0'", "there is no snapshot 0; the scene has 1, 3"},
         {"--set 'snapshot 72' --set saved", "there is no snapshot 72; the scene has 1, 3"},
@@ -245,10 +247,10 @@ TEST_F(Compare, TransparencyCounts) {
 }
 
 TEST_F(Compare, NaNIsDifferentFromAllButNaN) {
-    const auto quarter = [&](const std::string& name, float value) {
+    const auto quarter = [&](const std::string& name, float value, int width = 5) {
         std::string bytes = "PF\n20 10\n-1.0\n";
         for (int i = 0; i < 20 * 10 * 3; ++i) {
-            const float held = i / 3 % 20 < 5 ? value : .5f;
+            const float held = i / 3 % 20 < width ? value : .5f;
             bytes.append(reinterpret_cast<const char*>(&held), sizeof held);
         }
         folder.write(name, bytes);
@@ -270,6 +272,16 @@ TEST_F(Compare, NaNIsDifferentFromAllButNaN) {
     for (const std::string two : {"nan.glib nan.pfm", "nan.glib nan.glib --size 20x10"})
         EXPECT_TRUE(compare(two).says("NaN       in 50 pixels")) << two;
     EXPECT_EQ(compare("nan.glib nan.glib --size 20x10 --max-rmse 0 --max-pixels 0").status, 0);
+    // Where nothing is known, there are neither figures nor a verdict, whatever the limit is.
+    quarter("all.pfm", std::nanf(""), 20);
+    for (const char* limit : {"", " --max-rmse 1", " --max-pixels 100", " --max-flip 1"}) {
+        const Outcome none = compare(std::string("all.pfm all.pfm") + limit);
+        EXPECT_EQ(none.status, 1) << limit;
+        EXPECT_TRUE(none.says("'all.pfm' and 'all.pfm' cannot be compared: every pixel of both is NaN or infinite"));
+        EXPECT_FALSE(none.says("different")) << none.output;
+    }
+    EXPECT_TRUE(compare("all.pfm none.pfm --max-rmse 1").says("all.pfm against none.pfm: 20x10, different"));
+    EXPECT_TRUE(compare("all.pfm all.pfm none.pfm").says("all.pfm against none.pfm: 20x10\n")) << "the nearest known";
 }
 
 TEST_F(Compare, FoldersAreComparedByNames) {

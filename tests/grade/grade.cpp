@@ -586,18 +586,34 @@ TEST_F(Grade, SimilarShadersAreTold) {
     scene("s/eve", other);
     folder.write("r.toml", head + "[[item]]\nno_errors = true\n");
     ASSERT_EQ(grade("r.toml s -o out").status, 0);
+    // What most of the class has is no pair's, but equal submissions are told, whatever share of the class they are.
     const json similar = results()["similar"];
-    ASSERT_EQ(similar.size(), 1u) << similar.dump(1);
-    EXPECT_EQ(similar[0]["a"], "students/ann");
-    EXPECT_EQ(similar[0]["b"], "students/bob");
-    EXPECT_NE(bytes_of(at("out/similar/1.html")).find("<mark>"), std::string::npos);
+    ASSERT_EQ(similar.size(), 2u) << similar.dump(1);
+    json nine = json::array();
+    for (int i = 1; i <= 9; ++i) nine.push_back("students/c" + std::to_string(i));
+    EXPECT_EQ(similar[0]["submissions"], nine);
+    EXPECT_EQ(similar[1]["submissions"], json::array({"students/ann", "students/bob"}));
+    EXPECT_EQ(similar[1]["share"], 1);
+    EXPECT_NE(bytes_of(at("out/similar/2.html")).find("<mark>"), std::string::npos);
     EXPECT_EQ(page("ann").find("bob"), std::string::npos) << "pages for students name nobody else";
+    const auto told = [&](const std::string& words) {
+        const Outcome outcome = grade("r.toml s -o out");
+        const bool shown = bytes_of(at("out/index.html")).find(words) != std::string::npos;
+        EXPECT_EQ(outcome.says("snell: note: "), shown) << outcome.output;
+        return shown && outcome.says("snell: note: " + words);
+    };
+    EXPECT_TRUE(told("9 of 12 submissions are alike in all of their shaders"));
     // What was handed out explains it.
     folder.write("handout/h.frag", long_one);
     folder.write("r.toml", "template = \"handout\"\n" + head + "[[item]]\nno_errors = true\n");
-    ASSERT_EQ(grade("r.toml s -o out").status, 0);
-    EXPECT_EQ(results()["similar"].size(), 0u);
+    EXPECT_FALSE(told("submissions are alike"));
+    EXPECT_EQ(results()["similar"].size(), 0u) << results()["similar"].dump(1);
     EXPECT_FALSE(fs::exists(at("out/similar")));
+    // But not what nine of twelve have beyond it.
+    for (int i = 1; i <= 9; ++i) scene("s/c" + std::to_string(i), i % 2 == 0 ? long_one : renamed);
+    folder.write("handout/h.frag", paint);
+    EXPECT_TRUE(told("11 of 12 submissions are alike in what the handout does not have"));
+    EXPECT_EQ(results()["similar"].size(), 1u) << results()["similar"].dump(1);
 }
 
 }  // namespace

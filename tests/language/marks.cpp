@@ -24,6 +24,7 @@ TEST(Symbols, ProgramsHoldUniformsAndDrawsPassesHoldPrograms) {
               "Window\n  High\n    glBegin\n    Box\n");
     const auto all = symbols(editor.project(), editor.file());
     EXPECT_NE(editor.text(all[3].children[0].children[0].span).find("glEnd"), std::string::npos);
+    EXPECT_EQ(editor.text(all[2].span), "RenderToTexture 7\nProgram Low uKa 1. uKd <0 1 2>\nSphere 1");
 }
 
 TEST(Symbols, ShadersListWhatTheyDeclare) {
@@ -62,6 +63,8 @@ TEST(Colors, AreFoundWhereNumbersAreColours) {
     EXPECT_EQ(all[2].rgba, (std::array<double, 4>{.1, .2, .3, .4}));
     EXPECT_EQ(all[0].rgba[3], 1);
     EXPECT_EQ(editor.text(all[3].span), "1 1 0 .5");
+    const Editor beyond("Color 255 -1 .5\n");
+    EXPECT_EQ(colors(beyond.project(), beyond.file()).at(0).rgba, (std::array<double, 4>{1, 0, .5, 1}));
 }
 
 TEST(Colors, EditsKeepTheAuthorsStyle) {
@@ -72,6 +75,7 @@ TEST(Colors, EditsKeepTheAuthorsStyle) {
     EXPECT_EQ(recolored(Editor("Color 1. 1. 1.\n"), 0, {1, 1, 1, .5}), "Color 1. 1. 1. 0.5\n");
     EXPECT_EQ(recolored(Editor("Color .1234 .5 .5\n"), 0, {.1234, .5, .5, 1}), "Color .1234 .5 .5\n");
     EXPECT_EQ(recolored(Editor("Program A uC {2. -1 5}\n"), 0, {.25, .5, 1, 1}), "Program A uC {0.25 .5 1}\n");
+    EXPECT_EQ(recolored(Editor("Color .5 .5 .5\n"), 0, {.51, .501, .5, 1}), "Color .51 .5 .5\n") << "of bytes";
     EXPECT_EQ(recolored(Editor("Color 255 0 0\n"), 0, {1, .5, 0, 1}), "Color 1 .5 0\n");
     EXPECT_EQ(recolored(Editor("Program A uC {1 1 1}\n"), 0, {1, 1, 1, 0}), "Program A uC {1 1 1 0}\n");
 }

@@ -62,6 +62,7 @@ TEST(SignatureScene, TheCurrentParameterAndAlternative) {
     ASSERT_EQ(scale.signatures.size(), 2u);
     EXPECT_EQ(scale.signature, 1u);
     EXPECT_EQ(scale.parameter, 1u);
+    EXPECT_EQ(Editor("Background @").signature().signature, 0u) << "what may be left out is not missing";
     const SignatureHelp sphere = Editor("Sphere 1 60@").signature();
     ASSERT_EQ(sphere.signatures.size(), 1u);
     EXPECT_EQ(sphere.parameter, 1u);

@@ -33,6 +33,11 @@ TEST(CompleteShader, NamesOfTheLanguageAndTheText) {
     EXPECT_EQ(find(all, "shade")->detail, "float shade(float k)");
     EXPECT_NE(find(all, "refract")->documentation.find("index of refraction"), std::string::npos);
     EXPECT_LT(find(all, "near")->rank, find(all, "refract")->rank);
+    // A loop without braces reaches to the end of its statement, whatever branches that has.
+    const std::string loop =
+        "void main() {\n    for (int turn = 0; turn < 3; ++turn) if (turn > 1) gl_FragColor.x += 1.;";
+    EXPECT_TRUE(offers(shader(loop + " else gl_FragColor.x = @; }\n"), "turn"));
+    EXPECT_FALSE(offers(shader(loop + " gl_FragColor.x = @; }\n"), "turn"));
 }
 
 TEST(CompleteShader, TheDialectDecides) {
@@ -64,6 +69,10 @@ TEST(CompleteShader, WhatTheSceneSetsIsDeclared) {
     EXPECT_FALSE(offers(shader("uniform float uKa;\n@\nvoid main() {}"), "uniform float uKa;"));
     EXPECT_EQ(completed(shader("#version 120\nvoid main() { float t = uTi@; }\n"), "uTime"),
               "#version 120\nuniform float uTime;\nvoid main() { float t = uTime; }\n");
+    EXPECT_EQ(completed(shader("#version 120\nvoid main() { gl_FragColor.xyz = uTu@[0]; }\n",
+                               "Vertex a.vert\nFragment a.frag\nProgram A uTurn [1 0 0 0 1 0 0 0 1]\nSphere\n"),
+                        "uTurn"),
+              "#version 120\nuniform mat3 uTurn;\nvoid main() { gl_FragColor.xyz = uTurn[0]; }\n");
 }
 
 TEST(CompleteShader, Members) {

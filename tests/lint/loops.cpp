@@ -43,6 +43,35 @@ TEST(LintLoops, LoopsInLoopsAndOneAfterTheOther) {
         told(looping("for (int i = 0; i < n; ++i) for (int k = 0; k < n; ++k) x += 1.;", "", "const int n = 300;\n")));
 }
 
+// Bounds that the counters of the loops around set: the sum is that of a triangle.
+TEST(LintLoops, LoopsInLoopsThatGrowOrShrink) {
+    struct Row {
+        const char *outer, *inner;
+        bool told;
+    };
+    for (const auto& [outer, inner, expected] :
+         {Row{"i < 400; ++i", "int k = 0; k < i; ++k", true},
+          {"i < 350; ++i", "int k = 0; k < i; ++k", false},
+          {"i < 400; ++i", "int k = i; k < 400; ++k", true},
+          {"i < 350; ++i", "int k = i; k < 350; ++k", false},
+          {"i < 400; ++i", "int k = i + 1; k <= 400; ++k", true},
+          {"i < 400; ++i", "int k = 400 - i; k > 0; --k", true},
+          {"i < 400; i += 2", "int k = 0; k < i; ++k", false},
+          {"i < 400; ++i", "int k = 0; k < i; k += 2", false},
+          {"i < uN; ++i", "int k = 0; k <= i; ++k", true},
+          {"i < uN - 50; ++i", "int k = 0; k <= i; ++k", false},
+          {"i < 90; ++i", "int k = 0; k < i; ++k) for (int m = 0; m < k; ++m", true},
+          {"i < 70; ++i", "int k = 0; k < i; ++k) for (int m = 0; m < k; ++m", false},
+          {"i < 400; ++i", "int k = 0; k < 1000 * (i % 2); ++k", false},
+          {"i < 400; ++i", "int k = i; k != 7; ++k", false},
+          {"i < 400; i += uM", "int k = 0; k < i; ++k", false}}) {
+        const std::string loop = std::string("for (int i = 0; ") + outer + ") for (" + inner + ") x += 1.;";
+        EXPECT_EQ(told(looping(loop, "uN <1 10 400>")), expected) << loop;
+    }
+    EXPECT_FALSE(told(looping("for (int i = 0; i < 400; ++i) for (int k = 0; k < i; ++k) if (x > uX) break;")));
+    EXPECT_TRUE(told(looping("for (int i = 0; i < 400; ++i) { int k = 0; while (k < i) { ++k; x += 1.; } }")));
+}
+
 TEST(LintLoops, BoundsThatTheSceneSets) {
     const std::string loop = "for (int i = 0; i < uN; ++i) x += 1.;";
     EXPECT_TRUE(told(looping(loop, "uN 70000")));

@@ -84,10 +84,10 @@ TEST(Resolve, FindsWhatMayBeMissing) {
     handed_out.write("deep/noise3d.064.tex", "x");
     Access access;
     access.confine = folder.path("");
-    EXPECT_EQ(Files(folder.path(), access).find("noise2d.064.tex"), folder.path("Noise2d.064.TEX"));
-    EXPECT_EQ(Files(folder.path(), access).find("noise3d.064.tex"), "");
+    EXPECT_EQ(Files(folder.path(), access).find("noise2d.064.tex").path, folder.path("Noise2d.064.TEX"));
+    EXPECT_EQ(Files(folder.path(), access).find("noise3d.064.tex").path, "");
     access.allow = {handed_out.path("")};
-    EXPECT_EQ(Files(folder.path(), access).find("noise3d.064.tex"), handed_out.path("deep/noise3d.064.tex"));
+    EXPECT_EQ(Files(folder.path(), access).find("noise3d.064.tex").path, handed_out.path("deep/noise3d.064.tex"));
 }
 
 TEST(Resolve, SuggestsTheNearestName) {

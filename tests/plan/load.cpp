@@ -326,6 +326,33 @@ TEST_F(Loading, NoiseFileBesideTheSceneIsUsed) {
     EXPECT_EQ(codes_of(diagnostics).back(), "image-non-finite") << "it is told, and not what was read for it";
 }
 
+TEST_F(Loading, NoiseThatMayNotBeReadIsTold) {
+    const Scratch elsewhere;
+    elsewhere.write("secret.tex", tex({16, 16}, 77));
+    std::filesystem::create_symlink(elsewhere.path("secret.tex"), folder.path(content::noise_file_name(2, 16)));
+    ASSERT_EQ(mkfifo(folder.path(content::noise_file_name(3, 8)).c_str(), 0600), 0);
+    Access access;
+    access.confine = folder.path("");
+    Files confined(folder.path(), access);
+    const Span statement{0, 4, 14};
+    const auto told = [&](int dimensions, int size, std::string_view why) {
+        Diagnostics said;
+        EXPECT_EQ(load_noise(dimensions, size, confined, said, statement).pixels,
+                  content::make_noise(dimensions, size).pixels);
+        ASSERT_EQ(codes_of(said), Codes{"noise-file"});
+        EXPECT_EQ(said.items()[0].span, statement);
+        EXPECT_NE(said.items()[0].message.find(why), std::string::npos) << said.items()[0].message;
+    };
+    told(2, 16, "it is outside of the folder");
+    told(3, 8, "it is a pipe");
+    EXPECT_EQ(std::to_integer<int>(load_noise(2, 16, files, diagnostics).pixels[5]), 77) << "links are followed";
+    EXPECT_TRUE(diagnostics.empty());
+    // A scene that names it says which line.
+    const Index named = texture(TextureTarget::d3, {content::noise_file_name(3, 8)});
+    load_texture(scene, named, confined, diagnostics);
+    EXPECT_EQ(codes_of(diagnostics), Codes{"file-unreadable"});
+}
+
 TEST_F(Loading, Meshes) {
     folder.write("tri.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     folder.write("bad.obj", "f 1 2 9\n");
@@ -344,7 +371,7 @@ TEST_F(Loading, Meshes) {
     }
     Sources sources;
     const Plan plan = make_plan(scene, files, sources, diagnostics);
-    EXPECT_EQ(codes_of(diagnostics), Codes{"file-not-found"}) << "a pipe is no file";
+    EXPECT_EQ(codes_of(diagnostics), Codes{"file-unreadable"}) << "a pipe is no file";
     EXPECT_EQ(load_mesh(plan, 0, files, diagnostics).indices.size(), 3U);
     EXPECT_EQ(diagnostics.errors(), 1U);
     load_mesh(plan, 1, files, diagnostics);

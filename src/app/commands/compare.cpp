@@ -175,6 +175,11 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
                      picture->height,
                      accuracy::picture_difference(*picture, *reference, options.threshold),
                      true};
+        if (std::isnan(now.difference.error.display.rmse)) {
+            complain(fmt::format("'{}' and '{}' cannot be compared: every pixel of both is NaN or infinite",
+                                 now.picture, now.reference));
+            continue;
+        }
         now.alike = alike(now.difference, options);
         const auto rank = [](const Compared& c) { return std::pair(!c.alike, c.difference.error.display.rmse); };
         if (!best || rank(now) < rank(*best)) best = std::move(now);
@@ -438,8 +443,10 @@ Run add_compare(CLI::App& command) {
     add_grade(command, options->scene.grade);
     add_timeout(command, options->timeout, "each scene");
     command.footer(
-        "Without a limit, the status is 0 when the pictures could be compared. With --max-rmse, --max-flip or\n"
-        "--max-pixels it is 0 for pictures that are alike, 1 for different ones, and 2 for wrong usage.\n\n"
+        "Without a limit, the status is 0 when the pictures could be compared, otherwise 1. With --max-rmse,\n"
+        "--max-flip or --max-pixels it is 0 for pictures that are alike, 1 for different ones and those that cannot "
+        "be\n"
+        "compared, and 2 for wrong usage.\n\n"
         "snell compare room.glib --set 'uIndex=1.33 BEND=single' --set uIndex=2.4 compares two states of one scene. "
         "Each\n"
         "is named as in the window: 'saved', 'reference' (the last rung of every ladder), 'snapshot 3', or settings "

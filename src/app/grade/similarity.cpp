@@ -1,6 +1,7 @@
 #include "src/app/grade/similarity.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::size_t gram = 16;    // tokens of a fingerprint
 constexpr std::size_t window = 10;  // of so many fingerprints one is kept
-constexpr std::size_t fewest = 8;   // in common, of a pair that is told
+constexpr std::size_t fewest = 8;   // in common, of what is told
 constexpr double least_share = .4;
 constexpr std::size_t most_pairs = 100;
 constexpr std::size_t most_text = 200'000;  // bytes of a record's texts
@@ -93,33 +94,61 @@ void add_prints(Record& record, std::string name, std::string_view text) {
     }
 }
 
-std::vector<AlikePair> alike_pairs(const std::vector<const Record*>& records, const std::set<std::uint64_t>& known) {
-    std::vector<std::set<std::uint64_t>> own(records.size());
+namespace {
+
+using Prints = std::set<std::uint64_t>;
+
+// Equal records, by what they have.
+std::vector<Alike> equal_groups(const std::vector<Prints>& own) {
+    std::map<Prints, std::vector<std::size_t>> holders;
+    for (std::size_t i = 0; i < own.size(); ++i)
+        if (own[i].size() >= fewest) holders[own[i]].push_back(i);
+    std::vector<Alike> groups;
+    for (auto& [prints, who] : holders)
+        if (who.size() > 1) groups.push_back({std::move(who), 1, {prints.begin(), prints.end()}});
+    std::sort(groups.begin(), groups.end(), [](const Alike& x, const Alike& y) {
+        return std::pair(y.who.size(), x.who) < std::pair(x.who.size(), y.who);
+    });
+    return groups;
+}
+
+// Pairs that share parts and are not equal.
+std::vector<Alike> similar_pairs(const std::vector<Prints>& own) {
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> holders;
-    for (std::size_t i = 0; i < records.size(); ++i)
-        for (const Print& print : records[i]->prints)
-            if (!known.contains(print.hash) && own[i].insert(print.hash).second) holders[print.hash].push_back(i);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        for (const std::uint64_t hash : own[i]) holders[hash].push_back(i);
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::uint64_t>> common;
     for (const auto& [hash, which] : holders) {
         // What a third of a class has is common knowledge, and pairs of thousands would take long.
-        if (which.size() > std::max<std::size_t>(8, records.size() / 3)) continue;
+        if (which.size() > std::max<std::size_t>(8, own.size() / 3)) continue;
         for (std::size_t i = 0; i < which.size(); ++i)
             for (std::size_t k = i + 1; k < which.size(); ++k) common[{which[i], which[k]}].push_back(hash);
     }
-    std::vector<AlikePair> pairs;
+    std::vector<Alike> pairs;
     for (auto& [who, hashes] : common) {
-        const auto [a, b] = who;
-        const double share = static_cast<double>(hashes.size()) /
-                             static_cast<double>(std::max<std::size_t>(1, std::min(own[a].size(), own[b].size())));
-        if (hashes.size() < fewest || share < least_share) continue;
+        const Prints &a = own[who.first], &b = own[who.second];
+        const double share = static_cast<double>(hashes.size()) / static_cast<double>(std::min(a.size(), b.size()));
+        if (hashes.size() < fewest || share < least_share || a == b) continue;
         std::sort(hashes.begin(), hashes.end());
-        pairs.push_back({a, b, share, hashes.size(), std::move(hashes)});
+        pairs.push_back({{who.first, who.second}, share, std::move(hashes)});
     }
-    std::stable_sort(pairs.begin(), pairs.end(), [](const AlikePair& x, const AlikePair& y) {
-        return std::pair(x.share, x.common) > std::pair(y.share, y.common);
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Alike& x, const Alike& y) {
+        return std::pair(x.share, x.hashes.size()) > std::pair(y.share, y.hashes.size());
     });
     if (pairs.size() > most_pairs) pairs.resize(most_pairs);
     return pairs;
+}
+
+}  // namespace
+
+std::vector<Alike> alike_records(const std::vector<const Record*>& records, const Prints& known) {
+    std::vector<Prints> own(records.size());
+    for (std::size_t i = 0; i < records.size(); ++i)
+        for (const Print& print : records[i]->prints)
+            if (!known.contains(print.hash)) own[i].insert(print.hash);
+    std::vector<Alike> all = equal_groups(own), pairs = similar_pairs(own);
+    std::move(pairs.begin(), pairs.end(), std::back_inserter(all));
+    return all;
 }
 
 }  // namespace snell::app

@@ -31,12 +31,16 @@ std::vector<std::string_view> settings_of(std::string_view text) {
 
 NamedState of_settings(std::string_view text, const Scene& scene) {
     NamedState state;
-    for (const std::string_view setting : settings_of(text)) {
+    const auto none = [&] {
+        return NamedState{.error = fmt::format("'{}' names no state: 'saved', 'reference', 'snapshot 1' or settings, "
+                                               "such as uIndex=1.33",
+                                               utf8::printable(text))};
+    };
+    const std::vector<std::string_view> settings = settings_of(text);
+    if (settings.empty()) return none();
+    for (const std::string_view setting : settings) {
         const std::string_view name = setting.substr(0, setting.find('='));
-        if (name.size() == setting.size())
-            return {.error = fmt::format("'{}' names no state: 'saved', 'reference', 'snapshot 1' or settings, such as "
-                                         "uIndex=1.33",
-                                         utf8::printable(text))};
+        if (name.size() == setting.size()) return none();
         const bool ladder = ranges::find(scene.ladders, name, &Ladder::name) != scene.ladders.end();
         (ladder ? state.ladders : state.sets).emplace_back(setting);
     }

@@ -103,7 +103,8 @@ void run(const std::vector<Job>& jobs, const Watcher& watcher) {
 void TextureReader::read(const PictureKey& key, ReadPicture& into) {
     const Stopwatch watch;
     if (key.noise != 0)
-        into.image = load_noise(key.noise, noise_size(key.noise), *files_, into.said);
+        into.image = load_noise(key.noise, noise_size(key.noise), *files_, into.said,
+                                scene_->noise_spans[key.noise == 3 ? 1 : 0]);
     else if (scene_->textures[key.texture].target == TextureTarget::cube)
         into.faces = load_cube(*scene_, key.texture, *files_, into.said, &images_);
     else

@@ -21,23 +21,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<AlikePair> pairs_of_all(const Grades& grades) {
-    std::vector<const Record*> records;
-    for (const GradedSubmission& graded : grades.all) records.push_back(&graded.record);
-    return alike_pairs(records, handed_out(grades.rubric));
-}
-
 }  // namespace
 
-std::string write_report(const Grades& grades, const std::string& output) {
+std::vector<Alike> alike_submissions(const Grades& grades) {
+    std::vector<const Record*> records;
+    for (const GradedSubmission& graded : grades.all) records.push_back(&graded.record);
+    return alike_records(records, handed_out(grades.rubric));
+}
+
+std::string write_report(const Grades& grades, const std::vector<Alike>& alike, const std::string& output) {
     const fs::path folder(output);
-    const std::vector<AlikePair> pairs = pairs_of_all(grades);
     std::error_code error;
     remove_pairs(output);
     std::set<std::string> students;
     for (const GradedSubmission& graded : grades.all) students.insert(graded.submission.folder);
     remove_former_students(output, students);
-    if (!pairs.empty()) fs::create_directories(folder / "similar", error);
+    if (!alike.empty()) fs::create_directories(folder / "similar", error);
     std::string wrong;
     const auto write = [&](const fs::path& file, const std::string& text) {
         if (wrong.empty()) wrong = content::replace_file(file.string(), text);
@@ -45,12 +44,12 @@ std::string write_report(const Grades& grades, const std::string& output) {
     };
     for (const GradedSubmission& graded : grades.all)
         write(fs::path(student_folder(output, graded.submission)) / "index.html", student_page(grades, graded));
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        write(folder / "similar" / fmt::format("{}.html", i + 1), alike_page(grades, pairs[i]));
+    for (std::size_t i = 0; i < alike.size(); ++i)
+        write(folder / "similar" / fmt::format("{}.html", i + 1), alike_page(grades, alike[i]));
     write(folder / "results.csv", results_csv(grades));
-    write(folder / "results.json", results_json(grades, pairs));
+    write(folder / "results.json", results_json(grades, alike));
     write(folder / "junit.xml", results_junit(grades));
-    write(folder / "index.html", index_page(grades, pairs));
+    write(folder / "index.html", index_page(grades, alike));
     return wrong;
 }
 
@@ -135,7 +134,7 @@ std::string results_csv(const Grades& grades) {
     return content::table_csv(table);
 }
 
-std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs) {
+std::string results_json(const Grades& grades, const std::vector<Alike>& alike) {
     using Json = nlohmann::ordered_json;
     Json json{{"schema", 1},
               {"title", grades.rubric.title},
@@ -156,10 +155,11 @@ std::string results_json(const Grades& grades, const std::vector<AlikePair>& pai
             one["items"].push_back({{"points", item.points}, {"passed", item.passed}, {"why", item.why}});
         json["submissions"].push_back(std::move(one));
     }
-    for (const AlikePair& pair : pairs)
-        json["similar"].push_back({{"a", "students/" + grades.all[pair.a].submission.folder},
-                                   {"b", "students/" + grades.all[pair.b].submission.folder},
-                                   {"share", pair.share}});
+    for (const Alike& some : alike) {
+        Json folders = Json::array();
+        for (const std::size_t i : some.who) folders.push_back("students/" + grades.all[i].submission.folder);
+        json["similar"].push_back({{"submissions", std::move(folders)}, {"share", some.share}});
+    }
     return content::json_text(json) + '\n';
 }
 
@@ -279,7 +279,7 @@ std::string student_page(const Grades& grades, const GradedSubmission& graded) {
     return page_of(title, body, slide_script);
 }
 
-// The table of all submissions, and the pairs that are alike.
+// The table of all submissions, and those that are alike.
 
 namespace {
 
@@ -324,19 +324,26 @@ Table::Row row_of(const Rubric& rubric, const GradedSubmission& graded) {
     return row;
 }
 
-std::string alike_table(const Grades& grades, const std::vector<AlikePair>& pairs) {
+std::string names_text(const Grades& grades, const Alike& alike, std::string_view between) {
+    std::vector<std::string_view> names;
+    for (const std::size_t i : alike.who) names.push_back(grades.all[i].submission.name);
+    return fmt::format("{}", fmt::join(names, between));
+}
+
+std::string alike_table(const Grades& grades, const std::vector<Alike>& alike) {
     std::string text =
-        "<h2 id=\"similar\">Similar shaders</h2>\n<p>Pairs whose shaders have much in common beyond what was handed "
-        "out and what many of the class have. Names, numbers, blanks and comments are not compared. This is a hint "
-        "for a person to look at; it does not count as points.</p>\n";
-    if (pairs.empty()) return text + "<p>There are none.</p>\n";
+        "<h2 id=\"similar\">Similar shaders</h2>\n<p>Submissions whose shaders are equal, and pairs that have much in "
+        "common beyond what was handed out and what many of the class have. Names, numbers, blanks and comments are "
+        "not compared. This is a hint for a person to look at; it does not count as points.</p>\n";
+    if (alike.empty()) return text + "<p>There are none.</p>\n";
+    for (const Alike& some : alike)
+        if (some.who.size() > 2) text += fmt::format("<p>{}.</p>\n", shown_text(alike_words(grades, some)));
     constexpr auto words = CellKind::words;
-    Table table{{{"In common"}, {"One", words}, {"Other", words}, {"Both", words}}, {}, true};
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const double percent = 100 * pairs[i].share;
+    Table table{{{"In common"}, {"Submissions", words}, {"Page", words}}, {}, true};
+    for (std::size_t i = 0; i < alike.size(); ++i) {
+        const double percent = 100 * alike[i].share;
         table.rows.push_back(
-            {{number_cell(percent, fmt::format("{:.0f} %", percent)), cell(grades.all[pairs[i].a].submission.name),
-              cell(grades.all[pairs[i].b].submission.name),
+            {{number_cell(percent, fmt::format("{:.0f} %", percent)), cell(names_text(grades, alike[i], ", ")),
               cell("beside each other", fmt::format("similar/{}.html", i + 1))}});
     }
     return text + content::table_html(table);
@@ -374,7 +381,15 @@ std::string points_text(double points) {
     return text;
 }
 
-std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs) {
+std::string alike_words(const Grades& grades, const Alike& alike) {
+    if (alike.who.size() == 2) return names_text(grades, alike, " and ");
+    const bool handout = !grades.rubric.templates.empty();
+    return fmt::format("{} of {} submissions are alike in {}", alike.who.size(), grades.all.size(),
+                       handout ? "what the handout does not have"
+                               : "all of their shaders; if these were handed out, name them in the rubric's template");
+}
+
+std::string index_page(const Grades& grades, const std::vector<Alike>& alike) {
     const Rubric& rubric = grades.rubric;
     const std::string title = rubric.title.empty() ? "Results" : rubric.title;
     double sum = 0;
@@ -396,7 +411,7 @@ std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs
     if (!grades.left_out.empty())
         body += fmt::format("<p>Not submissions: {}.</p>\n",
                             shown_text(fmt::format("{}", fmt::join(grades.left_out, ", "))));
-    body += alike_table(grades, pairs);
+    body += alike_table(grades, alike);
     return page_of(title, body, sort_script);
 }
 
@@ -407,10 +422,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // The text with the lines marked that fingerprints in common cover.
-std::string marked(const Record& record, std::size_t text, const AlikePair& pair) {
+std::string marked(const Record& record, std::size_t text, const Alike& alike) {
     std::vector<bool> common;
     for (const Print& print : record.prints) {
-        if (print.text != text || !std::binary_search(pair.hashes.begin(), pair.hashes.end(), print.hash)) continue;
+        if (print.text != text || !std::binary_search(alike.hashes.begin(), alike.hashes.end(), print.hash)) continue;
         if (common.size() <= print.last) common.resize(print.last + 1);
         std::fill(common.begin() + print.first, common.begin() + print.last + 1, true);
     }
@@ -428,25 +443,27 @@ std::string marked(const Record& record, std::size_t text, const AlikePair& pair
     return shown;
 }
 
-std::string side(const GradedSubmission& graded, const AlikePair& pair) {
+std::string side(const GradedSubmission& graded, const Alike& alike) {
     std::string text = fmt::format("<div><h2>{}</h2>\n", shown_text(graded.submission.name));
     for (std::size_t i = 0; i < graded.record.texts.size(); ++i)
         text += fmt::format("<h3>{}</h3>\n<pre>{}</pre>\n", shown_text(graded.record.texts[i].name),
-                            marked(graded.record, i, pair));
+                            marked(graded.record, i, alike));
     return text + "</div>\n";
 }
 
 }  // namespace
 
-std::string alike_page(const Grades& grades, const AlikePair& pair) {
-    const std::string title =
-        fmt::format("{} and {}", grades.all[pair.a].submission.name, grades.all[pair.b].submission.name);
-    return page_of(title,
-                   fmt::format("<h1>{}</h1>\n<p>{:.0f} % of the shorter one's fingerprints are in the other one, too. "
-                               "Marked lines hold them. This is a hint for a person to look at. <a "
-                               "href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
-                               shown_text(title), 100 * pair.share, side(grades.all[pair.a], pair),
-                               side(grades.all[pair.b], pair)));
+std::string alike_page(const Grades& grades, const Alike& alike) {
+    const std::string title = alike_words(grades, alike);
+    const bool equal = alike.who.size() > 2;
+    const std::string about =
+        equal ? fmt::format("{}. The first two are shown.", shown_text(names_text(grades, alike, ", ")))
+              : fmt::format("{:.0f} % of the shorter one's fingerprints are in the other one, too.", 100 * alike.share);
+    return page_of(title, fmt::format("<h1>{}</h1>\n<p>{} Marked lines hold what they have in common. This is a hint "
+                                      "for a person to look at. <a href=\"../index.html\">Results</a></p>\n<div "
+                                      "class=\"sides\">{}{}</div>\n",
+                                      shown_text(title), about, side(grades.all[alike.who[0]], alike),
+                                      side(grades.all[alike.who[1]], alike)));
 }
 
 std::set<std::uint64_t> handed_out(const Rubric& rubric) {

@@ -10,21 +10,27 @@
 
 namespace snell::app {
 
+// Which of the submissions are alike.
+std::vector<Alike> alike_submissions(const Grades& grades);
+
 // Writes index.html, a page next to each record, results.csv, results.json, junit.xml and pages of similar shaders.
 // Returns "" or the error.
-std::string write_report(const Grades& grades, const std::string& output);
+std::string write_report(const Grades& grades, const std::vector<Alike>& alike, const std::string& output);
 
 // The parts of a report, each as text.
-std::string index_page(const Grades& grades, const std::vector<AlikePair>& pairs);
+std::string index_page(const Grades& grades, const std::vector<Alike>& alike);
 std::string student_page(const Grades& grades, const GradedSubmission& graded);
-std::string alike_page(const Grades& grades, const AlikePair& pair);
+std::string alike_page(const Grades& grades, const Alike& alike);
 std::string results_csv(const Grades& grades);
-std::string results_json(const Grades& grades, const std::vector<AlikePair>& pairs);
+std::string results_json(const Grades& grades, const std::vector<Alike>& alike);
 std::string results_junit(const Grades& grades);
 
 // Why a submission was not judged to the end, and what else is to be known of it: its problem, and the first of its
 // notes; "" if there is nothing.
 std::string remark(const Record& record);
+
+// "ann and bob", or what is to be known of more that are equal.
+std::string alike_words(const Grades& grades, const Alike& alike);
 
 // Points with at most two decimals.
 std::string points_text(double points);
