@@ -13,7 +13,7 @@ namespace snell {
 namespace {
 
 Key key_of(int code) {
-    static constexpr std::array<std::pair<int, Key>, 32> table{{
+    static constexpr std::array<std::pair<int, Key>, 34> table{{
         {GLFW_KEY_TAB, Key::tab},
         {GLFW_KEY_LEFT, Key::left},
         {GLFW_KEY_RIGHT, Key::right},
@@ -45,7 +45,9 @@ Key key_of(int code) {
         {GLFW_KEY_Z, Key::z},
         {GLFW_KEY_F1, Key::f1},
         {GLFW_KEY_F5, Key::f5},
+        {GLFW_KEY_F10, Key::f10},
         {GLFW_KEY_F11, Key::f11},
+        {GLFW_KEY_MENU, Key::menu},
     }};
     if (code >= GLFW_KEY_1 && code <= GLFW_KEY_9)
         return static_cast<Key>(static_cast<int>(Key::one) + code - GLFW_KEY_1);
@@ -150,6 +152,8 @@ Window::~Window() {
 Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
 
 void Window::push(Event event) {
+    event.since = looked_;
+    event.seen = now();
     // Only the last of several consecutive moves matters, and hundreds can gather during a slow frame.
     if (event.kind == Event::Kind::move && !events_.empty() && events_.back().kind == Event::Kind::move)
         events_.back() = event;
@@ -225,6 +229,7 @@ void Window::wait(double seconds) {
         glfwWaitEventsTimeout(seconds);
     else
         glfwPollEvents();
+    looked_ = now();
 }
 
 void Window::take_events(std::vector<Event>& into) {

@@ -122,10 +122,8 @@ struct Item {
 bool item(const Item& item, Layout& layout) {
     const float em = ImGui::GetFontSize(), all = ImGui::GetIO().DisplaySize.x;
     const Text text = shortened(item.text, all - 4.5F * em);
-    const bool clicked = ImGui::MenuItem(text.c_str(), all < 20 * em ? nullptr : item.keys, item.on, item.enabled);
-    const bool chosen = item.enabled ? or_keys(clicked) : clicked;
+    const bool chosen = menu_item(text.c_str(), all < 20 * em ? nullptr : item.keys, item.on, item.enabled);
     layout.note(item.name);
-    if (chosen) ImGui::CloseCurrentPopup();
     return chosen;
 }
 
@@ -137,10 +135,7 @@ void open_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
         const SceneCard& scene = facts.recent[i];
         ImGui::PushID(static_cast<int>(i));
         const float em = ImGui::GetFontSize(), room = std::min(16 * em, ImGui::GetIO().DisplaySize.x - 4.5F * em);
-        if (or_keys(ImGui::MenuItem(shortened(scene.name, room).c_str()))) {
-            requests.open = scene.path;
-            ImGui::CloseCurrentPopup();
-        }
+        if (menu_item(shortened(scene.name, room).c_str())) requests.open = scene.path;
         tip(scene.folder);
         layout.note("recent", scene.name);
         ImGui::PopID();
@@ -423,8 +418,10 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     const bool cancels = pressed(Key::escape) && ImGui::IsAnyMouseDown();  // what is being dragged
     if (!ImGui::GetIO().WantTextInput && !dialog && !cancels) {
         keys(facts, view, memory, requests);
+        const bool arrows = pressed(Key::down, true) || pressed(Key::up, true);
         const bool tabs = pressed(Key::tab, true) || pressed(Key::enter) || pressed(Key::space);
-        if (menu == Menu::open && any_pressed() && !(tabs && kit().focus.presses)) memory.menu = Menu::closing;
+        if (menu == Menu::open && any_pressed() && !arrows && !(tabs && kit().focus.presses))
+            memory.menu = Menu::closing;
     }
     const Areas parts = areas(memory);
     memory.scene = parts.scene;

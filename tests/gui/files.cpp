@@ -239,6 +239,28 @@ TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
     unsetenv("VISUAL");
 }
 
+TEST_F(FilesWindow, WhereNoEditorOpensOneIsSetAndTheLinkWorks) {
+    setenv("VISUAL", "false", 1);
+    open("one.glib");
+    click("tools");
+    click("files");
+    click("file.paint.vert", .2);
+    ASSERT_TRUE(wait([](const json& s) { return s["failure"] == "false ended with status 1"; })) << state()["failure"];
+    settle();
+    user("key r");
+    settle();
+    EXPECT_EQ(state()["failure"], "false ended with status 1") << "it stays";
+    EXPECT_EQ(state()["notice"], "") << "nothing says that a file was opened";
+    click("failure.editor");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("editor save"); }));
+    type("editor file", editor("code"), Field::text);
+    ASSERT_TRUE(wait([](const json& s) { return s["failure"] == ""; }));
+    click("file.paint.vert", .2);
+    ASSERT_TRUE(told());
+    EXPECT_EQ(bytes("told"), "--goto\n" + file("paint.vert") + ":1:1\n");
+    unsetenv("VISUAL");
+}
+
 TEST_F(FilesWindow, LooksAreKeptFromRunToRun) {
     open("one.glib", {"--size", "1000x700"});
     const std::array<double, 4> before = state()["widgets"]["reload"];

@@ -97,6 +97,17 @@ public:
         memory_.accuracy.show = AccuracyMemory::Show::split;
         scene_.messages.push_back({"Drag uEta until the ball is gone.", {}});
     }
+    void state_menu() {
+        two_states();
+        for (const char* name : {"now", "saved", "opened", "snapshot 1", "reference", "FRESNEL=schlick"})
+            states_.choices.push_back({name, name});
+        states_.example = "values, such as uRefractiveIndex=2.42";
+        menu_ = "accuracy.right";
+    }
+    void heat_map() {
+        two_states();
+        memory_.accuracy.show = AccuracyMemory::Show::heat;
+    }
     void blank_states() {
         two_states();
         states_.sides[0] = {"reference", "reference, last good picture: the shader does not compile", true};
@@ -230,7 +241,7 @@ public:
         found_.depth = .987654321;
         found_.distance = 1234.5678;
         pixels_.inspection = &found_;
-        pixels_.at = "pixel 1234, 1234";
+        pixels_.at = "pixel 1234, 1234, right: before the last edit";
         pixels_.statement = "Sphere 1.23456 50 50 # the ball in the middle, as large as it was before";
         pixels_.place = long_path + ":1234";
         facts_.pixels = &pixels_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "src/ui/kit/kit.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {
@@ -144,6 +145,18 @@ TEST_F(Shell, ToolsAreInATabOfTheirOwn) {
     EXPECT_TRUE(has("Glass.uValue0"));
     EXPECT_FALSE(memory_.costs);
     EXPECT_TRUE(memory_.frame_cost) << "it goes on while sliders are dragged";
+}
+
+TEST_F(Shell, EverySectionSaysWhatItIsAbout) {
+    memory_.tab = Tab::tools;
+    std::set<std::string> said;
+    for (const char* name : {"accuracy", "view", "pixels", "textures", "frame cost", "costs", "files", "window"}) {
+        const Rect at = place(name);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({}, 1);
+        frame({}, 1);
+        EXPECT_TRUE(kit().tip.shown && said.insert(kit().tip.text).second) << name;
+    }
 }
 
 TEST_F(Shell, AShowsAccuracyAndThenClosesIt) {

@@ -399,7 +399,7 @@ void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
     keep_picture();
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
-        interface_.memory().failure = {utf8::printable(problem)};
+        interface_.memory().failure = {utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}};
         return;
     }
     interface_.begin_scene();

@@ -144,6 +144,7 @@ void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
     facts.revision = session_.revision();
     if (const Document* shown = document()) {
         facts.scene = &shown->scene();
+        facts.incomplete = shown->diagnostics.has_errors();
         facts.animated = shown->runtime->animated();
         facts.mouse = shown->runtime->uses_mouse();
         linked_.clear();
@@ -162,8 +163,9 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
     if (document()) {
         const std::string undone = past_.serve(requests, session_, view, memory.animated, [this] { follow_rungs(); });
         if (!undone.empty()) {
+            // What has changed is read already, or is no file of the scene.
             if (undone.starts_with("not "))
-                memory.failure = {undone, ui::Failure::Remedy::reload};
+                memory.failure = {undone};
             else
                 memory.notice = undone;
             keeper_.look_again();
@@ -179,7 +181,11 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         saver_.serve(requests, *document(), shown, window, memory);
         serve_page(requests, view, memory);
     }
-    return opener_.serve(requests, session_.path(), memory);
+    const std::optional<std::string> other = opener_.serve(requests, session_.path(), memory);
+    if (!memory.failure.text.empty())
+        memory.failure.text =
+            near_names(memory.failure.text, std::filesystem::path(session_.path()).parent_path().string());
+    return other;
 }
 
 void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory) {

@@ -69,6 +69,12 @@ bool selectable(const char* text, bool chosen, int flags, const ImVec2& size) {
     return pressed;
 }
 
+bool menu_item(const char* text, const char* keys, bool on, bool enabled) {
+    const bool clicked = ImGui::MenuItem(text, keys, on, enabled), chosen = enabled ? or_keys(clicked) : clicked;
+    if (chosen) ImGui::CloseCurrentPopup();
+    return chosen;
+}
+
 bool button(const char* text, Layout& layout, std::string_view name) {
     const bool pressed = or_keys(ImGui::Button(text));
     layout.note(name);
@@ -201,11 +207,12 @@ bool switch_box(const char* text, bool& on) {
     return switched;
 }
 
-bool section(const char* title, Titles& open, Layout& layout, const char* name) {
+bool section(const char* title, const char* about, Titles& open, Layout& layout, const char* name) {
     show_opened();
     const auto kept = open.find(std::string_view(title));
     ImGui::SetNextItemOpen(kept != open.end());
     const bool opened = header(title);
+    tip(about);
     layout.note(name);
     keep_in_view(opened);
     if (opened && kept == open.end()) open.emplace(title);

@@ -60,8 +60,8 @@ void draw_picture(const SmallPicture& picture, ImVec2 at, ImVec2 room) {
     list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
     if (picture.texture == 0) {
         list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
-        constexpr std::string_view none = "no picture";  // the tooltip says why
-        if (picture.why.empty() || width_of(none) > room.x) return;
+        const std::string_view none = picture_words(picture);
+        if (width_of(none) > room.x) return;
         const ImVec2 middle((at.x + end.x - width_of(none)) / 2, (at.y + end.y - ImGui::GetTextLineHeight()) / 2);
         return list.AddText(middle, ImGui::GetColorU32(ImGuiCol_TextDisabled), none.data(), none.data() + none.size());
     }
@@ -349,6 +349,11 @@ std::vector<Crumb> crumbs(std::string_view folder) {
         begin = end + 1;
     }
     return found;
+}
+
+// Of what has none, the tooltip says why.
+std::string_view picture_words(const SmallPicture& picture) {
+    return picture.texture != 0 ? "" : picture.why.empty() ? "being drawn\u2026" : "no picture";
 }
 
 void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {

@@ -111,7 +111,9 @@ void pixel_keys(const Rect& scene, PixelMemory& memory) {
 }
 
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
-    if (!section("Pixels", open, layout, "pixels")) return;
+    if (!section("Pixels", "The numbers that shaders wrote, and pixels that no picture can show", open, layout,
+                 "pixels"))
+        return;
     switch_box("Mark invalid values", memory.flags);
     layout.note("flags");
     tip("N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is drawn "
@@ -184,7 +186,7 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
         ImGui::EndGroup();
         ImGui::SameLine();
         ImGui::BeginGroup();
-        ImGui::TextDisabled("%s", pixels.at.c_str());
+        fitted(pixels.at, ImGui::GetContentRegionAvail().x, true);
         channels(found, fonts);
         if (found.depth) {
             ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());

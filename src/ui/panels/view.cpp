@@ -110,7 +110,9 @@ void background_row(const Scene& scene, View& view, Memory& memory, Layout& layo
 }  // namespace
 
 void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout) {
-    if (!facts.scene || !section("View", memory.open, layout, "view")) return;
+    if (!facts.scene || !section("View", "What the mouse turns, scales and moves, as numbers; the background",
+                                 memory.open, layout, "view"))
+        return;
     background_row(*facts.scene, view, memory, layout);
     wrapped("mouse and numbers change", true);
     target_row(view, memory.hold, layout);
