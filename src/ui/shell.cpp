@@ -90,26 +90,15 @@ void hide(Memory& memory) {
 
 constexpr float close_together = .3F;  // the gap between buttons of the toolbar, in multiples of the text height
 
-// A menu below its button, within the screen. The popup's size is that of the last frame.
 bool begin_menu(const char* text, const char* name, Memory& memory, Layout& layout) {
     if (button(text, layout, name)) ImGui::OpenPopup(name);
-    ImGuiStorage& sizes = *ImGui::GetStateStorage();
-    const ImGuiID width = ImGui::GetID("##menu width"), height = ImGui::GetID("##menu height");
-    const ImVec2 all = ImGui::GetIO().DisplaySize, from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-    ImGui::SetNextWindowPos({std::max(0.0F, std::min(from.x, all.x - sizes.GetFloat(width))),
-                             std::max(0.0F, std::min(to.y, all.y - sizes.GetFloat(height)))});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, all);
-    const bool open = ImGui::BeginPopup(name);
-    note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
-    if (!open) return false;
+    if (!begin_popup(name)) return false;
     if (memory.menu == Menu::closing) {
         ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
         return false;
     }
     memory.menu = Menu::open;
-    sizes.SetFloat(width, ImGui::GetWindowWidth());
-    sizes.SetFloat(height, ImGui::GetWindowHeight());
     return true;
 }
 
@@ -256,6 +245,8 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                    ImGuiWindowFlags_NoNav;
 
+constexpr float least_panel = 12;  // width, in multiples of the text height
+
 struct Areas {
     Rect scene, panel, status;
 };
@@ -265,9 +256,9 @@ Areas areas(Memory& memory) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     const float half = all.x * .5F;
-    const float width =
-        memory.panel ? std::round(std::clamp(memory.panel_width * em, std::min(12 * em, half), std::max(12 * em, half)))
-                     : 0;
+    const float width = memory.panel ? std::round(std::clamp(memory.panel_width * em, std::min(least_panel * em, half),
+                                                             std::max(least_panel * em, half)))
+                                     : 0;
     const float line = memory.panel ? std::round(ImGui::GetFrameHeight()) : 0;
     Areas result;
     result.scene = {0, 0, std::max(1.0F, all.x - width), std::max(1.0F, all.y - line)};
@@ -407,6 +398,11 @@ void overlays(const Facts& facts, const Rect& scene, const Controls& controls, c
 }
 
 }  // namespace
+
+float fitting_scale(float wanted, float width) {
+    constexpr float letters = 16, share = 2.0F / 3;  // the text height at a scale of 1; of the panel
+    return std::min(wanted, std::max(width * share / (least_panel * letters), .5F));
+}
 
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
     layout.clear();

@@ -147,6 +147,18 @@ TEST_F(Shell, ToolsAreInATabOfTheirOwn) {
     EXPECT_TRUE(memory_.frame_cost) << "it goes on while sliders are dragged";
 }
 
+TEST_F(Shell, TheLargestLettersLeaveAThirdForThePicture) {
+    for (const float width : {320.F, 420.F, 640.F, 1280.F})
+        for (const float wanted : {.5F, 1.F, 2.F, 3.F}) {
+            screen_.width = width;
+            screen_.scale = fitting_scale(wanted, width);
+            frame();
+            EXPECT_GE(memory_.scene.width, .33F * width) << width << ' ' << wanted;
+            EXPECT_LE(screen_.scale, wanted);
+            EXPECT_TRUE(screen_.scale == wanted || wanted > 1) << "usual letters are as they are";
+        }
+}
+
 TEST_F(Shell, EverySectionSaysWhatItIsAbout) {
     memory_.tab = Tab::tools;
     std::set<std::string> said;

@@ -29,6 +29,9 @@ void tip_below_window(std::string_view text);
 // Adds the last item to the order of Tab, by an id of its own where it has none. Returns true if it was clicked, or the
 // keys press it.
 bool or_keys(bool clicked, unsigned id = 0);
+// Begins the popup of this name below the last item, or above it, within the screen; its size is that of the last
+// frame. Returns true if it is open; then call ImGui::EndPopup.
+bool begin_popup(const char* name, bool above = false);
 // Draws an entry of a menu, which a choice closes. Returns true if it was chosen.
 bool menu_item(const char* text, const char* keys = nullptr, bool on = false, bool enabled = true);
 // Draws a row that can be chosen. Returns true if it was clicked, or the keys press it.

@@ -196,8 +196,11 @@ void state_menu(const StateFacts& facts, const StateFacts::Side& side, bool left
         layout.note(left ? "left" : "right", choice.name);
     }
     const float em = ImGui::GetFontSize();
-    ImGui::SetNextItemWidth(std::clamp(button_width(facts.example), 12 * em, 24 * em));
-    if (text_field("##settings", facts.example.c_str(), memory.settings, ImGuiInputTextFlags_EnterReturnsTrue)) {
+    const float width = std::min(std::clamp(button_width(facts.example), 12 * em, 24 * em),
+                                 std::max(ImGui::GetIO().DisplaySize.x - 2 * em, 1.0F));
+    const Text hint = shortened(facts.example, width - button_width(""));
+    ImGui::SetNextItemWidth(width);
+    if (text_field("##settings", hint.c_str(), memory.settings, ImGuiInputTextFlags_EnterReturnsTrue)) {
         if (memory.settings[0] != '\0') name = memory.settings.data();
         memory.settings.fill('\0');
         ImGui::CloseCurrentPopup();
@@ -217,11 +220,7 @@ void state_button(const StateFacts& facts, std::size_t index, float width, Accur
     if (side.failed) ImGui::PopStyleColor();
     layout.note(left ? "accuracy.left" : "accuracy.right");
     tip(side.label);
-    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-    ImGui::SetNextWindowPos({from.x, from.y - ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Always, {0, 1});
-    const bool open = ImGui::BeginPopup("states");
-    note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
-    if (open) {
+    if (begin_popup("states", true)) {
         state_menu(facts, side, left, memory, layout);
         ImGui::EndPopup();
     }

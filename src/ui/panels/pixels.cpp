@@ -161,7 +161,8 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
     if (!pixels.inspection) return;
     const Inspection& found = *pixels.inspection;
     const ImVec2 padding = ImGui::GetStyle().WindowPadding, all = ImGui::GetIO().DisplaySize;
-    const float em = ImGui::GetFontSize(), lines = 5 + static_cast<float>(found.depth.has_value()) +
+    const float em = ImGui::GetFontSize(), lines = 5 + static_cast<float>(!pixels.half.empty()) +
+                                                   static_cast<float>(found.depth.has_value()) +
                                                    static_cast<float>(found.distance.has_value());
     const float pixels_wide = static_cast<float>(2 * found.radius + 1), line = ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 inner(.9F * em * pixels_wide + 14.5F * em,
@@ -186,7 +187,8 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
         ImGui::EndGroup();
         ImGui::SameLine();
         ImGui::BeginGroup();
-        fitted(pixels.at, ImGui::GetContentRegionAvail().x, true);
+        ImGui::TextDisabled("%s", pixels.at.c_str());
+        if (!pixels.half.empty()) fitted(pixels.half, ImGui::GetContentRegionAvail().x, true);
         channels(found, fonts);
         if (found.depth) {
             ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());
