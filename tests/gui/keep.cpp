@@ -206,6 +206,7 @@ protected:
     }
     void save_page() {
         choose("save", "page");
+        EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("save page folder"); }));
         click("save page save");
     }
     bool says(const std::string& text) {

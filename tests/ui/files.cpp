@@ -135,6 +135,15 @@ TEST_F(FilePanels, AFolderAboveBeginsWhereOneComesFrom) {
     EXPECT_EQ(memory_.browser.chosen, 0u);
 }
 
+TEST_F(FilePanels, TheFirstPictureIsWhole) {
+    listing_.entries = {{"ball.glib", "/home/ann/scenes/ball.glib", false, "1 kB", ""}};
+    open();
+    const Rect row = place("browser.entry.ball.glib"), picture = place("browser.picture");
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    EXPECT_GE(picture.y, row.y + gap / 2 - .5F) << "above it the list begins";
+    EXPECT_LE(picture.y + picture.height, row.y + row.height);
+}
+
 TEST_F(FilePanels, TheBrowserTakesPaths) {
     open();
     write("../other/x.glib");

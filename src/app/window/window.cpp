@@ -454,6 +454,7 @@ void App::serve(const ui::Requests& requests) {
         window_->set_clipboard(command);
         memory.notice = "copied: " + command;
     }
+    if (requests.write_rung) memory.write_rung.folder = workspace_.folder();
     if (requests.reload) reload();
     if (requests.full_screen) window_->set_full_screen(!window_->full_screen());
 }

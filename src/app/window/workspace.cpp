@@ -44,11 +44,6 @@ std::string confirmed_page(const Document& document, ui::SaveAs& dialog) {
     return ui::confirmed(dialog, std::filesystem::exists(page, error), page.string()) ? page.string() : "";
 }
 
-// The folder of a scene, as displayed.
-std::string shown_folder(const std::string& scene) {
-    return utf8::printable(with_tilde(std::filesystem::path(whole_path(scene)).parent_path().string()));
-}
-
 void expand_tilde(ui::SaveAs& dialog) {
     const std::string whole = without_tilde(dialog.file.data());
     if (whole.size() >= dialog.file.size()) return;
@@ -71,6 +66,10 @@ Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher
       keeper_(options.scene),
       opener_(settings_file()),
       saver_(caps, options.access.limits) {}
+
+std::string Workspace::folder() {
+    return utf8::printable(with_tilde(std::filesystem::path(whole_path(session_.path())).parent_path().string()));
+}
 
 void Workspace::report() {
     std::string text = session_.problems_text();
@@ -172,7 +171,7 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         }
         if (requests.save_as_now) expand_tilde(memory.save_as);
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
-        if (requests.save_as) memory.save_as.folder = shown_folder(session_.path());
+        if (requests.save_as) memory.save_as.folder = folder();
         if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files));
         if (!served.saved_as.empty()) {
             past_.hand_on(session_, served.saved_as, view);
@@ -190,7 +189,8 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
 
 void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory) {
     ui::SaveAs& dialog = memory.save_page;
-    if (requests.save_page) ui::open_save_as(dialog, std::filesystem::path(session_.path()).stem().string() + ".html");
+    if (requests.save_page)
+        ui::open_save_as(dialog, std::filesystem::path(session_.path()).stem().string() + ".html", folder());
     if (!requests.save_page_now) return;
     const std::string page = confirmed_page(*document(), dialog);
     if (page.empty()) return;
