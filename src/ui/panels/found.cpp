@@ -54,6 +54,7 @@ std::string tip_of(const FoundRow& row) {
     std::string text = fmt::format("{}: {}\n{}\n\u2192 {}", row.kind, row.meaning, row.before,
                                    row.after.empty() ? "(nothing)" : row.after);
     if (row.error_here) text += "\nas the scene opens: error " + error_and_flip(*row.error_here, row.flip_here);
+    if (row.flip || row.flip_here) text += "\nFLIP: how much of it is seen, from 0 to 1";
     if (row.of_display) text += fmt::format("\nerror of display values {}", error_text(*row.of_display));
     if (row.front) text += "\nworth its time";
     if (!row.remark.empty()) text += "\n" + row.remark;
