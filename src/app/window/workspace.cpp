@@ -119,7 +119,7 @@ void Workspace::remember_scene() {
 
 std::string Workspace::open(const std::string& path, View& view) {
     past_.finish(session_, view);
-    if (session_.saved()) {  // such as a save that was undone: what differs from the file now is remembered
+    if (session_.saved(true)) {  // such as a save that was undone: what differs from the file now is remembered
         session_.reload();
         past_.reread(session_, view);
     }
