@@ -28,7 +28,7 @@ Function found(const char* name) {
 #define GLFW(name) found<decltype(&glfw##name)>("glfw" #name)
 
 Key key_of(int code) {
-    static constexpr std::array<std::pair<int, Key>, 32> table{{
+    static constexpr std::array<std::pair<int, Key>, 34> table{{
         {GLFW_KEY_TAB, Key::tab},
         {GLFW_KEY_LEFT, Key::left},
         {GLFW_KEY_RIGHT, Key::right},
@@ -60,7 +60,9 @@ Key key_of(int code) {
         {GLFW_KEY_Z, Key::z},
         {GLFW_KEY_F1, Key::f1},
         {GLFW_KEY_F5, Key::f5},
+        {GLFW_KEY_F10, Key::f10},
         {GLFW_KEY_F11, Key::f11},
+        {GLFW_KEY_MENU, Key::menu},
     }};
     if (code >= GLFW_KEY_1 && code <= GLFW_KEY_9)
         return static_cast<Key>(static_cast<int>(Key::one) + code - GLFW_KEY_1);
@@ -169,6 +171,8 @@ Window::~Window() {
 Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(GLFW(GetWindowUserPointer)(handle)); }
 
 void Window::push(Event event) {
+    event.since = looked_;
+    event.seen = now();
     // Only the last of several consecutive moves matters, and hundreds can gather during a slow frame.
     if (event.kind == Event::Kind::move && !events_.empty() && events_.back().kind == Event::Kind::move)
         events_.back() = event;
@@ -249,6 +253,7 @@ void Window::wait(double seconds) {
         GLFW(WaitEventsTimeout)(seconds);
     else
         GLFW(PollEvents)();
+    looked_ = now();
 }
 
 void Window::take_events(std::vector<Event>& into) {

@@ -45,7 +45,9 @@ enum class Key : std::uint8_t {
     z,
     f1,
     f5,
+    f10,
     f11,
+    menu,
     one,  // the keys 1 to 9, consecutive
     nine = one + 8,
     plus,  // these three by the character printed on them, wherever the layout has them
@@ -69,6 +71,9 @@ struct Event {
     bool down = false;  // for button, key (a repeat is another event with `down` set) and focus
     char32_t text = 0;
     Modifiers modifiers = {};
+    // When it happened, in seconds of Window::now(): at the earliest, which is when events were looked for before, and
+    // when it was seen.
+    double since = 0, seen = 0;
 };
 
 enum class Cursor : std::uint8_t { arrow, text, hand, resize_horizontal, resize_vertical, count_ };
@@ -131,6 +136,7 @@ private:
     int x_ = 0, y_ = 0;  // where the window was before it filled the screen
     PixelSize before_;
     std::vector<Event> events_;
+    double looked_ = 0;  // when events were looked for last
     std::vector<std::string> dropped_;
 };
 

@@ -38,6 +38,7 @@ std::span<const KeyRow> key_rows() {
         {"Tab; with Shift", "go to the next value, button, row or field; to the previous one", "Values"},
         {"arrow keys; with Shift; Page keys", "change that value: in steps; fine; coarse"},
         {"Enter; Esc", "type that value, switch or press it; restore the old one"},
+        {"Menu key or Shift F10", "open that value's menu: reset, logarithmic scale, animation"},
         {"Esc while dragging", "restore what was before the drag"},
         {"slider: double click or Ctrl click", "type a number"},
         {"slider: right click; Shift or Alt drag", "reset to the scene's value; fine adjustment"},

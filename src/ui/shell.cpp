@@ -90,26 +90,15 @@ void hide(Memory& memory) {
 
 constexpr float close_together = .3F;  // the gap between buttons of the toolbar, in multiples of the text height
 
-// A menu below its button, within the screen. The popup's size is that of the last frame.
 bool begin_menu(const char* text, const char* name, Memory& memory, Layout& layout) {
     if (button(text, layout, name)) ImGui::OpenPopup(name);
-    ImGuiStorage& sizes = *ImGui::GetStateStorage();
-    const ImGuiID width = ImGui::GetID("##menu width"), height = ImGui::GetID("##menu height");
-    const ImVec2 all = ImGui::GetIO().DisplaySize, from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-    ImGui::SetNextWindowPos({std::max(0.0F, std::min(from.x, all.x - sizes.GetFloat(width))),
-                             std::max(0.0F, std::min(to.y, all.y - sizes.GetFloat(height)))});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, all);
-    const bool open = ImGui::BeginPopup(name);
-    note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
-    if (!open) return false;
+    if (!begin_popup(name)) return false;
     if (memory.menu == Menu::closing) {
         ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
         return false;
     }
     memory.menu = Menu::open;
-    sizes.SetFloat(width, ImGui::GetWindowWidth());
-    sizes.SetFloat(height, ImGui::GetWindowHeight());
     return true;
 }
 
@@ -122,10 +111,8 @@ struct Item {
 bool item(const Item& item, Layout& layout) {
     const float em = ImGui::GetFontSize(), all = ImGui::GetIO().DisplaySize.x;
     const Text text = shortened(item.text, all - 4.5F * em);
-    const bool clicked = ImGui::MenuItem(text.c_str(), all < 20 * em ? nullptr : item.keys, item.on, item.enabled);
-    const bool chosen = item.enabled ? or_keys(clicked) : clicked;
+    const bool chosen = menu_item(text.c_str(), all < 20 * em ? nullptr : item.keys, item.on, item.enabled);
     layout.note(item.name);
-    if (chosen) ImGui::CloseCurrentPopup();
     return chosen;
 }
 
@@ -137,10 +124,7 @@ void open_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
         const SceneCard& scene = facts.recent[i];
         ImGui::PushID(static_cast<int>(i));
         const float em = ImGui::GetFontSize(), room = std::min(16 * em, ImGui::GetIO().DisplaySize.x - 4.5F * em);
-        if (or_keys(ImGui::MenuItem(shortened(scene.name, room).c_str()))) {
-            requests.open = scene.path;
-            ImGui::CloseCurrentPopup();
-        }
+        if (menu_item(shortened(scene.name, room).c_str())) requests.open = scene.path;
         tip(scene.folder);
         layout.note("recent", scene.name);
         ImGui::PopID();
@@ -261,6 +245,8 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlag
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                                    ImGuiWindowFlags_NoNav;
 
+constexpr float least_panel = 12;  // width, in multiples of the text height
+
 struct Areas {
     Rect scene, panel, status;
 };
@@ -270,9 +256,9 @@ Areas areas(Memory& memory) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     const float half = all.x * .5F;
-    const float width =
-        memory.panel ? std::round(std::clamp(memory.panel_width * em, std::min(12 * em, half), std::max(12 * em, half)))
-                     : 0;
+    const float width = memory.panel ? std::round(std::clamp(memory.panel_width * em, std::min(least_panel * em, half),
+                                                             std::max(least_panel * em, half)))
+                                     : 0;
     const float line = memory.panel ? std::round(ImGui::GetFrameHeight()) : 0;
     Areas result;
     result.scene = {0, 0, std::max(1.0F, all.x - width), std::max(1.0F, all.y - line)};
@@ -413,6 +399,11 @@ void overlays(const Facts& facts, const Rect& scene, const Controls& controls, c
 
 }  // namespace
 
+float fitting_scale(float wanted, float width) {
+    constexpr float letters = 16, share = 2.0F / 3;  // the text height at a scale of 1; of the panel
+    return std::min(wanted, std::max(width * share / (least_panel * letters), .5F));
+}
+
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout) {
     layout.clear();
     Requests requests;
@@ -423,8 +414,10 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     const bool cancels = pressed(Key::escape) && ImGui::IsAnyMouseDown();  // what is being dragged
     if (!ImGui::GetIO().WantTextInput && !dialog && !cancels) {
         keys(facts, view, memory, requests);
+        const bool arrows = pressed(Key::down, true) || pressed(Key::up, true);
         const bool tabs = pressed(Key::tab, true) || pressed(Key::enter) || pressed(Key::space);
-        if (menu == Menu::open && any_pressed() && !(tabs && kit().focus.presses)) memory.menu = Menu::closing;
+        if (menu == Menu::open && any_pressed() && !arrows && !(tabs && kit().focus.presses))
+            memory.menu = Menu::closing;
     }
     const Areas parts = areas(memory);
     memory.scene = parts.scene;

@@ -6,6 +6,9 @@
 
 namespace snell::ui {
 
+// The scale of letters in a window of this width: the wanted one, or what leaves a third of the width for the picture.
+float fitting_scale(float wanted, float width);
+
 // Draws the window; call it between Gui::begin and Gui::end. Stores the scene's area in `memory`.
 Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memory, const Fonts& fonts, Layout& layout);
 

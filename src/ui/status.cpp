@@ -108,8 +108,8 @@ void add_cost(const Facts& facts, Parts& parts) {
         time.right = true;
     }
     if (!facts.grain.empty()) parts.add("status.grain", 65, facts.grain).right = true;
-    Part& cost = parts.add("status.cost", 70, Text("{:.1f} ms", facts.frame_ms).view());
-    cost.width = std::max(cost.width, width_of("100.0 ms"));
+    Part& cost = parts.add("status.cost", 70, Text("picture {:.1f} ms", facts.frame_ms).view());
+    cost.width = std::max(cost.width, width_of("picture 100.0 ms"));
     cost.right = true;
 }
 

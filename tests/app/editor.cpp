@@ -96,6 +96,9 @@ TEST(Editor, SaysWhatWentWrong) {
     EXPECT_TRUE(soon([&] { return !(said = failing.look()).empty(); }));
     EXPECT_NE(said.find("status 3"), std::string::npos) << said;
     EXPECT_EQ(failing.look(), "") << "once";
+    EXPECT_EQ(failing.name(), folder.path("failing"));
+    const std::string_view unnamed = Editor("xdg-open").name();
+    EXPECT_EQ(unnamed, "the desktop's editor") << "it outlives the call";
 }
 
 TEST(Editor, ShowsNoControlCharacters) {

@@ -51,6 +51,17 @@ TEST(FoundRows, WhatIsLoadedForNothingIsPassedOn) {
     EXPECT_EQ(found_rows(unused.result, unused.sources, false).at(0).loading, 286);
 }
 
+TEST(FoundRows, ARungIsWhereItsTimePutsIt) {
+    using Group = ui::FoundRow::Group;
+    for (const auto& [ratio, group] :
+         {std::pair(.9, Group::cheaper), {.99, Group::cheaper}, {.998, Group::dearer}, {1.01, Group::dearer}}) {
+        OneRung found(accuracy::Aim::cheaper);
+        found.result.rungs[0].quick_ratio = ratio;
+        found.result.rungs[0].saves = true;  // as far as the first frames told
+        EXPECT_EQ(found_rows(found.result, found.sources, false).at(0).group, group) << ratio;
+    }
+}
+
 TEST(FoundRows, TwoOfALineAreToldApart) {
     OneRung found(accuracy::Aim::cheaper);
     const FileId file = found.sources.add("b.frag", "i < 8; j < 8;");

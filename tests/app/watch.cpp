@@ -41,6 +41,9 @@ TEST_F(WatchTest, AChangeIsToldOnceAndOnlyAtRest) {
     EXPECT_FALSE(watch_.changed());
     EXPECT_TRUE(watch_.changed());
     EXPECT_EQ(told(), 0);
+    write("a", "1234");
+    EXPECT_TRUE(watch_.changed(true)) << "where nobody waits for the next poll";
+    EXPECT_EQ(told(), 0);
 }
 
 TEST_F(WatchTest, RenamingOverDeletingAndAppearingAreChanges) {

@@ -123,10 +123,11 @@ TEST_F(FilesWindow, WithoutASceneItBeginsWithPicturesOfScenesAndWithNewOnes) {
     const auto colourful = [&](const std::array<double, 4>& card) {
         const Picture picture = look();
         std::array<int, 2> range{255, 0};
-        for (double x = .2; x < .8; x += .05) {
-            const int green = picture.at(card[0] + x * card[2], card[1] + .4 * card[2]).green;
-            range = {std::min(range[0], green), std::max(range[1], green)};
-        }
+        for (const double y : {.2, .6})  // above and below the words that an empty frame has in its middle
+            for (double x = .2; x < .8; x += .05) {
+                const int green = picture.at(card[0] + x * card[2], card[1] + y * card[2]).green;
+                range = {std::min(range[0], green), std::max(range[1], green)};
+            }
         return range[1] - range[0] > 20;
     };
     // For the guide's picture all that are whole.
@@ -236,6 +237,28 @@ TEST_F(FilesWindow, AnErrorLeadsToItsLineInTheEditor) {
     click("file.paint.vert", .2);
     ASSERT_TRUE(told());
     EXPECT_EQ(bytes("told"), "--wait\n--goto\n" + file("paint.vert") + ":1:1\n");
+    unsetenv("VISUAL");
+}
+
+TEST_F(FilesWindow, WhereNoEditorOpensOneIsSetAndTheLinkWorks) {
+    setenv("VISUAL", "false", 1);
+    open("one.glib");
+    click("tools");
+    click("files");
+    click("file.paint.vert", .2);
+    ASSERT_TRUE(wait([](const json& s) { return s["failure"] == "false ended with status 1"; })) << state()["failure"];
+    settle();
+    user("key r");
+    settle();
+    EXPECT_EQ(state()["failure"], "false ended with status 1") << "it stays";
+    EXPECT_EQ(state()["notice"], "") << "nothing says that a file was opened";
+    click("failure.editor");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("editor save"); }));
+    type("editor file", editor("code"), Field::text);
+    ASSERT_TRUE(wait([](const json& s) { return s["failure"] == ""; }));
+    click("file.paint.vert", .2);
+    ASSERT_TRUE(told());
+    EXPECT_EQ(bytes("told"), "--goto\n" + file("paint.vert") + ":1:1\n");
     unsetenv("VISUAL");
 }
 

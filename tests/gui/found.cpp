@@ -272,6 +272,7 @@ TEST_F(FoundWindow, ARungIsWrittenIntoAFolder) {
     EXPECT_EQ(state()["notice"].get<std::string>().find("copied: snell accuracy "), 0U) << state()["notice"];
     click("found.write");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("write rung save"); }));
+    EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("write rung folder"); }));
     settle();
     click("write rung save");
     ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().find("wrote ") == 0; }));

@@ -79,6 +79,11 @@ TEST_F(Keep, AnEditAfterASaveIsNotUndoneWithIt) {
     user("key ctrl+z");
     ASSERT_TRUE(wait([](const json& s) { return s["failure"].get<std::string>().find("not undone: ") == 0; }))
         << state()["failure"];
+    EXPECT_EQ(state()["failure"], "not undone: scene.glib was changed meanwhile: it is left as it is")
+        << "not its path";
+    EXPECT_TRUE(state()["widgets"].contains("failure.ok"));
+    EXPECT_FALSE(state()["widgets"].contains("failure.reload")) << "it is read already";
+    EXPECT_FALSE(state()["widgets"].contains("failure.save as"));
     EXPECT_EQ(bytes("scene.glib"), edited);
     EXPECT_EQ(red(), slid);
     // Values follow the next edit of the text, as if nothing had been undone.
@@ -201,6 +206,7 @@ protected:
     }
     void save_page() {
         choose("save", "page");
+        EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("save page folder"); }));
         click("save page save");
     }
     bool says(const std::string& text) {

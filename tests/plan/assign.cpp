@@ -101,6 +101,7 @@ TEST_F(Assign, TypesAreTheUniforms) {
     EXPECT_EQ(value(0, "uOn"), Values{0});
     EXPECT_TRUE(set("uCount=2.5"));
     EXPECT_EQ(value(0, "uCount"), Values{3});
+    EXPECT_EQ(codes_of(diagnostics), Codes{"uniform-value-type"}) << "it is told that it is another number";
     EXPECT_TRUE(set("uUnit=7"));
     EXPECT_EQ(value(0, "uUnit"), Values{7});
 }

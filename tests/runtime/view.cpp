@@ -56,6 +56,22 @@ TEST_F(Viewed, AnObjectMovesAndTurnsAlone) {
     EXPECT_NEAR(draw(*document, look).count(red), before.count(red), 60) << "a square turned in its plane";
 }
 
+// Coarse pictures are enlarged: at a quarter of the size, a line of a pixel is four pixels wide.
+TEST_F(Viewed, AxesAreNoThickerInCoarsePictures) {
+    auto document = open("Perspective 50\nLookAt 2 2 4 0 0 0 0 1 0\nBackground 0 0 0\nColor 0 0 0\nQuadXY -9. .1\n");
+    const auto covered = [&](int divide) {
+        Look look{512 / divide, 512 / divide};
+        look.enlarged = divide;
+        look.view.axes = true;
+        const Picture picture = draw(*document, look);
+        return divide * divide * (picture.width * picture.height - picture.count({0, 0, 0, 255}, 60));
+    };
+    const double fine = covered(1);
+    EXPECT_GT(fine, 500);
+    EXPECT_NEAR(covered(2) / fine, 1.2, .2) << "widths are whole";
+    EXPECT_NEAR(covered(4) / fine, 1.33, .2) << "a line has at least one pixel";
+}
+
 TEST_F(Viewed, TheOtherProjectionKeepsThePlaneOfTheOrigin) {
     auto document = open(quads);
     Look look{128, 128};

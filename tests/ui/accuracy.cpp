@@ -178,7 +178,9 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
     click(place("accuracy.right"));
     click(place("right.saved"));
     EXPECT_EQ(memory_.accuracy.right, "saved");
+    states_.example = "values, such as uRefractiveIndex=2.42";
     click(place("accuracy.left"));
+    EXPECT_GE(place("left.settings").width, width_of(states_.example)) << "the example is whole";
     click(place("left.settings"));
     std::vector<Event> letters;
     for (const char c : std::string("uIndex=2.4"))
@@ -195,6 +197,7 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
     click(place("accuracy.other"));
     EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::heat);
     EXPECT_TRUE(has("accuracy.left")) << "of the same two";
+    EXPECT_TRUE(has("accuracy.legend")) << "what its colours mean";
     click(place("accuracy.other"));
     EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::split);
     frame({key(Key::s, true)});

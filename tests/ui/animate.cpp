@@ -112,6 +112,34 @@ TEST_F(Motion, AnAnimatedSliderGoesThereAndBack) {
     EXPECT_NEAR(value(), 1.5, 1e-9) << "where it is";
 }
 
+TEST_F(Motion, AnotherScaleDoesNotMakeItJump) {
+    add_slider("uMix", .01, 1, 100);
+    for (const double time : {10., 11., 13.}) {
+        memory_.logarithmic.clear();
+        memory_.clock.time = 10;
+        controls_.items[0].value[0] = 1;
+        memory_.animated = {animated_from(controls_.items[0], 0, 4, 10)};
+        memory_.clock.time = time;
+        for (const char* scale : {"logarithmic", "linear"}) {
+            animate(controls_, memory_.animated, time);
+            const double before = value();
+            const auto later = [&] {
+                Controls controls = controls_;
+                animate(controls, memory_.animated, time + .01);
+                return controls.items[0].value[0];
+            };
+            const bool rises = later() > before;
+            click(place("uMix.name"), MouseButton::right);
+            click(place("uMix.logarithmic"));
+            press(Key::escape);
+            ASSERT_TRUE(memory_.animating());
+            animate(controls_, memory_.animated, time);
+            EXPECT_NEAR(value() / before, 1, 1e-3) << scale << " at " << time;
+            EXPECT_EQ(later() > before, rises) << scale << " at " << time;
+        }
+    }
+}
+
 TEST_F(Motion, MovingAnAnimatedSliderStopsIt) {
     add_slider("uMix", 0, .5, 2);
     const auto start = [&] { memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)}; };

@@ -135,6 +135,15 @@ TEST_F(FilePanels, AFolderAboveBeginsWhereOneComesFrom) {
     EXPECT_EQ(memory_.browser.chosen, 0u);
 }
 
+TEST_F(FilePanels, TheFirstPictureIsWhole) {
+    listing_.entries = {{"ball.glib", "/home/ann/scenes/ball.glib", false, "1 kB", ""}};
+    open();
+    const Rect row = place("browser.entry.ball.glib"), picture = place("browser.picture");
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    EXPECT_GE(picture.y, row.y + gap / 2 - .5F) << "above it the list begins";
+    EXPECT_LE(picture.y + picture.height, row.y + row.height);
+}
+
 TEST_F(FilePanels, TheBrowserTakesPaths) {
     open();
     write("../other/x.glib");
@@ -186,6 +195,9 @@ TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     };
     EXPECT_EQ(told("browser.scene.sky.glib"), "/s/sky.glib\nNo picture: sky.glib:1: no such file");
     EXPECT_EQ(told("browser.scene.glass.glib"), "/s/glass.glib");
+    EXPECT_EQ(picture_words(scenes[0].picture), "");
+    EXPECT_EQ(picture_words(scenes[1].picture), "no picture");
+    EXPECT_EQ(picture_words(lessons[0].picture), "being drawn\u2026") << "an empty frame says what it waits for";
     EXPECT_EQ(click_asks("browser.scene.glass.glib").open, "/s/glass.glib") << "one click opens it";
     EXPECT_FALSE(memory_.browser.open);
     begin();

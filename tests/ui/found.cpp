@@ -71,6 +71,19 @@ TEST_F(FoundPanel, IsThereWithoutLaddersOnlyWhileAccuracyIsOpen) {
     EXPECT_FALSE(has("found.find"));
 }
 
+TEST_F(FoundPanel, NoErrorIsNotVisible) {
+    FoundRow& row = add("1");
+    row.error = 1e-8;
+    row.flip = 3.5e-6;
+    const auto width = [&] { return place("found.error.1").width; };
+    const float none = width();
+    row.flip.reset();
+    EXPECT_EQ(width(), none) << "no FLIP beside an error that is none";
+    row.error = .1;
+    row.flip = .2;
+    EXPECT_GT(width(), none);
+}
+
 TEST_F(FoundPanel, EachGroupHasItsHeading) {
     add("1").error = .01;
     EXPECT_TRUE(has("found.heading.Cheaper"));

@@ -97,6 +97,17 @@ public:
         memory_.accuracy.show = AccuracyMemory::Show::split;
         scene_.messages.push_back({"Drag uEta until the ball is gone.", {}});
     }
+    void state_menu() {
+        two_states();
+        for (const char* name : {"now", "saved", "opened", "snapshot 1", "reference", "FRESNEL=schlick"})
+            states_.choices.push_back({name, name});
+        states_.example = "values, such as uRefractiveIndex=2.42";
+        menu_ = "accuracy.right";
+    }
+    void heat_map() {
+        two_states();
+        memory_.accuracy.show = AccuracyMemory::Show::heat;
+    }
     void blank_states() {
         two_states();
         states_.sides[0] = {"reference", "reference, last good picture: the shader does not compile", true};
@@ -231,6 +242,7 @@ public:
         found_.distance = 1234.5678;
         pixels_.inspection = &found_;
         pixels_.at = "pixel 1234, 1234";
+        pixels_.half = "right: before the last edit";
         pixels_.statement = "Sphere 1.23456 50 50 # the ball in the middle, as large as it was before";
         pixels_.place = long_path + ":1234";
         facts_.pixels = &pixels_;
@@ -402,6 +414,8 @@ protected:
             const bool child = (window->Flags & ImGuiWindowFlags_ChildWindow) != 0;
             if (!child && (from.x < -.5F || from.y < -.5F || to.x > all.x + .5F || to.y > all.y + .5F))
                 found.push_back(fmt::format("{} goes from {}, {} to {}, {}", window->Name, from.x, from.y, to.x, to.y));
+            if (window->ScrollbarY && window->ScrollMax.y < 1)
+                found.push_back(fmt::format("{} has a scroll bar and nothing to scroll", window->Name));
             if (window->ScrollMax.x > little && !window->ScrollbarX)
                 found.push_back(fmt::format("{} hides {} at its right", window->Name, window->ScrollMax.x));
             if (window->ScrollMax.y > little && !window->ScrollbarY)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 
 #include "parser/text/words.h"
 #include "src/plan/values/numbers.h"
@@ -204,16 +205,42 @@ TEST_F(UiTest, SectionsAreRememberedByTheirSceneAndName) {
     EXPECT_FALSE(has("Glass.uEta")) << "also behind a new program";
 }
 
-TEST_F(UiTest, TwoClicksDuringASlowFrameAreADoubleClick) {
+// Frames that take a second: events are seen when the next one begins.
+TEST_F(UiTest, ClicksAreCountedByTheirTimesNotByFrames) {
+    struct Press {
+        double since, seen;
+    };
+    struct Row {
+        const char* what;
+        Press first, second;
+        bool twice;
+    };
     add_slider("uEta", .1, 1.1, 5);
     const Rect bar = place("Glass.uEta");
-    frame({move(bar.x + bar.width * .9, bar.y + bar.height / 2)}, .5);
-    frame({button(true)}, .5);
-    frame({button(false), button(true)}, .5);
-    frame({button(false)}, .5);
-    EXPECT_EQ(controls_.items[0].value[0], 1.1);
-    frame({key(Key::escape, true)}, .5);
-    EXPECT_EQ(controls_.items[0].value[0], 1.1) << "nothing that the first click did remains";
+    double& value = controls_.items[0].value[0];
+    for (const Row& row : {Row{"the second one came during the frame of the first", {10, 10}, {10.01, 11}, true},
+                           Row{"both came during one frame", {22, 23}, {22, 23}, true},
+                           Row{"the second one was seen at once", {30, 30}, {30.2, 30.21}, true},
+                           Row{"for half a second there was none", {40, 40}, {40.5, 41.5}, false},
+                           Row{"they are far apart", {50, 50}, {54, 54}, false}}) {
+        SCOPED_TRACE(row.what);
+        value = 1.1;
+        const auto press = [&](const Press& at) {
+            Event event = button(true);
+            event.since = at.since;
+            event.seen = at.seen;
+            return event;
+        };
+        frame({move(bar.x + bar.width * .9, bar.y + bar.height / 2)}, 1);
+        frame({press(row.first)}, 1);
+        frame({button(false), press(row.second)}, 1);
+        EXPECT_EQ(value == 1.1, row.twice) << "what the first click did is undone by a second one";
+        EXPECT_EQ(kit().typing.id != 0, row.twice);
+        frame({button(false)}, 1);
+        frame({key(Key::escape, true), key(Key::escape, false)}, 1);
+        EXPECT_EQ(value == 1.1, row.twice) << "nothing that the first click did remains";
+        frame({}, 1);
+    }
 }
 
 TEST_F(UiTest, AProgramWithoutSlidersIsAFoldedLine) {
@@ -325,6 +352,30 @@ TEST_F(UiTest, AFailureStaysUntilItIsDismissedAndLeavesTheMessages) {
     EXPECT_EQ(memory_.failure.text, "");
 }
 
+// And what went well is not.
+TEST_F(UiTest, FailuresAreRedInEveryTheme) {
+    // Of what is drawn within the box.
+    const auto has_color = [](const Rect& box, const ImVec4& color) {
+        const ImU32 wanted = ImGui::GetColorU32(color);
+        const ImDrawData& data = *ImGui::GetDrawData();
+        for (int i = 0; i < data.CmdListsCount; ++i)
+            for (const ImDrawVert& v : data.CmdLists[i]->VtxBuffer)
+                if (v.col == wanted && box.contains(v.pos.x, v.pos.y)) return true;
+        return false;
+    };
+    for (const Theme theme : {Theme::light, Theme::dark, Theme::contrast}) {
+        screen_.theme = theme;
+        memory_.failure = {"not saved: no space left"};
+        memory_.notice = "saved as room.glib";
+        const Rect ok = place("failure.ok"), box{memory_.scene.x, ok.y, ok.x - memory_.scene.x, ok.height};
+        const ImVec4& red = palette().error_text;
+        EXPECT_TRUE(has_color(box, red));
+        EXPECT_GT(red.x, 1.4F * std::max(red.y, red.z));
+        EXPECT_TRUE(has("notice"));
+        EXPECT_FALSE(has_color(place("notice"), red));
+    }
+}
+
 TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     using Remedy = Failure::Remedy;
     struct Row {
@@ -353,6 +404,14 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     frame({button(true)});
     frame({button(false)});
     EXPECT_EQ(requests_.edit.file, "/tmp/a.frag");
+    const Listing listing{.folder = "/tmp"};
+    facts_.listing = &listing;
+    memory_.failure = {"cannot read '/tmp/b.glib'", Remedy::open, {"/tmp/b.glib", 1, 1}};
+    click(place("failure.open"));
+    EXPECT_TRUE(memory_.browser.open);
+    EXPECT_STREQ(memory_.browser.typed.data(), "/tmp/b.glib") << "to be mended, not typed again";
+    memory_.browser.open = false;
+    EXPECT_FALSE(has("failure.ok"));
     // What is mended otherwise.
     memory_.failure = {"not saved: room.glib has changed", Remedy::reload};
     EXPECT_TRUE(has("failure.ok"));
@@ -452,18 +511,25 @@ TEST_F(UiTest, KeysThatAMenuShowsWorkWhileItIsOpen) {
         Modifiers modifiers;
         std::function<bool()> done;
     };
-    for (const Row& row : {Row{"save", Key::s, {.ctrl = true}, [&] { return requests_.save; }},
-                           Row{"save", Key::s, {.shift = true, .ctrl = true}, [&] { return requests_.save_as; }},
-                           Row{"view", Key::r, {}, [&] { return view_.scene == Transformation{}; }},
-                           Row{"view", Key::p, {}, [&] { return memory_.hold.picking; }},
-                           Row{"view", Key::f11, {}, [&] { return requests_.full_screen; }}}) {
+    for (const Row& row :
+         {Row{"save", Key::s, {.ctrl = true}, [&] { return requests_.save; }},
+          Row{"save", Key::s, {.shift = true, .ctrl = true}, [&] { return requests_.save_as; }},
+          Row{"view", Key::r, {}, [&] { return view_.scene == Transformation{}; }},
+          Row{"open", Key::o, {.ctrl = true}, [&] { return memory_.browser.open; }},
+          Row{"view", Key::p, {}, [&] { return memory_.hold.picking; }},
+          Row{"view", Key::s, {}, [&] { return memory_.accuracy.show != AccuracyMemory::Show::picture; }},
+          Row{"view", Key::h, {}, [&] { return !std::exchange(memory_.panel, true); }},
+          Row{"view", Key::f11, {}, [&] { return requests_.full_screen; }}}) {
         view_.scene.rotate_x = 30;
         click(place(std::string("menu.") + row.menu));
-        ASSERT_TRUE(has(row.menu == std::string("save") ? "save as" : "reset view"));
+        const std::string menu = row.menu;
+        ASSERT_TRUE(has(menu == "save" ? "save as" : menu == "open" ? "open" : "reset view"));
         frame({{.kind = Event::Kind::key, .key = row.key, .down = true, .modifiers = row.modifiers}});
         EXPECT_TRUE(row.done()) << row.menu;
         frame({{.kind = Event::Kind::key, .key = row.key, .down = false}});
-        EXPECT_FALSE(has("save as") || has("reset view")) << row.menu << " is closed";
+        EXPECT_FALSE(has("save as") || has("open") || has("reset view")) << row.menu << " is closed";
+        memory_.browser.open = false;
+        memory_.accuracy.show = AccuracyMemory::Show::picture;
     }
     click(place("menu.view"));
     frame({key(Key::escape, true)});
@@ -536,6 +602,16 @@ TEST_F(UiTest, TheListOfErrorsIsAStripThatIsSized) {
     frame({move(x, y + 150)});
     frame({button(false)});
     EXPECT_NEAR(place("problems.panel").height, list.height + 150, 20);
+    // What the picture shows is told as it is.
+    std::set<std::uint64_t> told;
+    for (const auto& [stale, incomplete] : {std::pair(false, false), {true, false}, {true, true}}) {
+        facts_.stale = stale;
+        facts_.incomplete = incomplete;
+        frame({move(5, 500)});
+        frame();
+        told.insert(picture_);
+    }
+    EXPECT_EQ(told.size(), 3U);
     EXPECT_EQ(view_, view);
     facts_.problems = std::span(problems).first(1);
     EXPECT_LT(place("problems.panel").height, list.height) << "no larger than what it holds";

@@ -144,6 +144,19 @@ TEST_F(UiPixels, TheFrameCostShowsItsRowsAndAsksForMore) {
     const Rect plot = place("frame cost.plot");
     EXPECT_GT(plot.width, 200);
     EXPECT_LE(place("frame cost.Sphere 1. 50 50").x + 10, screen_.width);
+    EXPECT_EQ(place("frame cost.time.window").width, ImGui::CalcTextSize("4.000 ms").x) << "with its unit";
+    // One picture, which takes a second to compile, makes no plot with a line at 1000 ms.
+    const auto plotted = [&](std::vector<float> times) {
+        cost.frames = times;
+        cost.median = cost.high = times.empty() ? 0 : times[0];
+        frame({move(5, 5)});
+        frame();
+        return picture_;
+    };
+    EXPECT_EQ(plotted({1000}), plotted({}));
+    EXPECT_EQ(plotted({1000, 17}), plotted({})) << "nor do two";
+    EXPECT_NE(plotted({1000}), plotted({16, 17, 18}));
+    cost.frames = frames;
     const Rect button_ = place("frame cost.measure");
     frame({move(button_.x + 5, button_.y + 5)});
     frame({button(true)});

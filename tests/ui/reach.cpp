@@ -79,6 +79,33 @@ public:
         EXPECT_TRUE(pressed_.save_as_now);
         EXPECT_STREQ(memory_.save_as.file.data(), "t") << "a field is open when Tab reaches it, its text selected";
     }
+    // Another name is typed in the place of one that was refused, and a state is typed as soon as its menu is there.
+    void typed_letters() {
+        open_save_as(memory_.save_as, "room.glib");
+        settle();
+        write("s");
+        press(Key::enter);
+        EXPECT_TRUE(pressed_.save_as_now);
+        memory_.save_as.error = "there is no such folder";
+        frame();
+        write("t");
+        write("u");
+        frame();
+        EXPECT_STREQ(memory_.save_as.file.data(), "tu");
+        press(Key::enter);
+        EXPECT_TRUE(pressed_.save_as_now);
+        memory_.save_as.open = false;
+        settle();
+        two_states();
+        settle();
+        for (const char* typed : {"uMix=2", "uMix=3"}) {
+            click(place("accuracy.right"));
+            write(typed);
+            press(Key::enter);
+            EXPECT_EQ(memory_.accuracy.right, typed);
+            EXPECT_FALSE(has("right.settings"));
+        }
+    }
     void filter() {
         many_sliders();
         settle();
@@ -127,6 +154,7 @@ TEST(Reach, EveryRowAndCard) {
 
 TEST(Reach, TextFields) {
     Reached().text_fields();
+    Reached().typed_letters();
     Reached().filter();
 }
 

@@ -40,11 +40,15 @@ protected:
         return controls_.items.back();
     }
 
+    // The events of a frame are seen when it begins.
     void frame(std::vector<Event> events = {}, double seconds = .02) {
+        clock_ += seconds;
+        for (Event& event : events)
+            if (event.seen == 0) event.since = event.seen = clock_;
         std::span<const Event> rest(events);
         do {
             const std::size_t count = batch_of(rest);
-            gui_.input(screen_, seconds, rest.first(count));
+            gui_.input(screen_, std::exchange(seconds, 0), rest.first(count));
             gui_.begin();
             facts_.scene = no_scene_ ? nullptr : &scene_;
             facts_.linked = linked_;
@@ -108,6 +112,7 @@ protected:
     Requests requests_;
     Screen screen_{1280, 800, 1, 1};
     std::uint64_t picture_ = 0;
+    double clock_ = 0;
     Gui gui_{nullptr};
 
 private:

@@ -63,6 +63,8 @@ const Panel panels[] = {
     {"ladders", "FRESNEL", &Screens::ladders},
     {"accuracy", "accuracy.plot", &Screens::accuracy},
     {"two-states", "accuracy.swap", &Screens::two_states},
+    {"state-menu", "right.settings", &Screens::state_menu},
+    {"heat-map", "accuracy.swap", &Screens::heat_map},
     {"blank-states", "accuracy.swap", &Screens::blank_states},
     {"found", "found.find", &Screens::found},
     {"found-untried", "found.find", &Screens::found_untried},

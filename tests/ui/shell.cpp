@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "src/ui/kit/kit.h"
 #include "tests/ui/screen.h"
 
 namespace snell::ui {
@@ -144,6 +145,30 @@ TEST_F(Shell, ToolsAreInATabOfTheirOwn) {
     EXPECT_TRUE(has("Glass.uValue0"));
     EXPECT_FALSE(memory_.costs);
     EXPECT_TRUE(memory_.frame_cost) << "it goes on while sliders are dragged";
+}
+
+TEST_F(Shell, TheLargestLettersLeaveAThirdForThePicture) {
+    for (const float width : {320.F, 420.F, 640.F, 1280.F})
+        for (const float wanted : {.5F, 1.F, 2.F, 3.F}) {
+            screen_.width = width;
+            screen_.scale = fitting_scale(wanted, width);
+            frame();
+            EXPECT_GE(memory_.scene.width, .32F * width) << width << ' ' << wanted;
+            EXPECT_LE(screen_.scale, wanted);
+            EXPECT_TRUE(screen_.scale == wanted || wanted > 1) << "usual letters are as they are";
+        }
+}
+
+TEST_F(Shell, EverySectionSaysWhatItIsAbout) {
+    memory_.tab = Tab::tools;
+    std::set<std::string> said;
+    for (const char* name : {"accuracy", "view", "pixels", "textures", "frame cost", "costs", "files", "window"}) {
+        const Rect at = place(name);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({}, 1);
+        frame({}, 1);
+        EXPECT_TRUE(kit().tip.shown && said.insert(kit().tip.text).second) << name;
+    }
 }
 
 TEST_F(Shell, AShowsAccuracyAndThenClosesIt) {

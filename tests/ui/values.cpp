@@ -239,6 +239,55 @@ TEST_F(Values, TabGoesThroughAMenu) {
     EXPECT_FALSE(has("axes")) << "a choice closes the menu";
 }
 
+// As in other programs: arrow keys lead from entry to entry, Escape back to the button.
+TEST_F(Values, ArrowKeysGoThroughAMenu) {
+    add_slider("uA", 0, .1, 9);
+    frame();
+    press(Key::tab);
+    for (int i = 0; i < 30 && !has("axes"); ++i) {
+        press(Key::tab, {.shift = true});
+        press(Key::enter);
+    }
+    ASSERT_TRUE(has("axes"));
+    press(Key::escape);
+    ASSERT_FALSE(has("axes"));
+    press(Key::enter);
+    ASSERT_TRUE(has("axes")) << "the button has the focus again";
+    const bool axes = view_.axes;
+    press(Key::down);
+    press(Key::down);
+    EXPECT_TRUE(has("axes"));
+    EXPECT_EQ(value(), .1) << "the slider does not hear them";
+    press(Key::enter);
+    EXPECT_EQ(view_.axes, !axes) << "its second entry";
+    press(Key::enter);
+    ASSERT_TRUE(has("axes")) << "the button has the focus again";
+    press(Key::up);
+    press(Key::enter);
+    EXPECT_FALSE(memory_.panel) << "its last entry";
+}
+
+TEST_F(Values, TheMenuOfASliderIsOpenedByKeys) {
+    add_slider("uA", 1, 2, 9);
+    for (const auto& [which, modifiers] : {std::pair(Key::menu, Modifiers{}), {Key::f10, Modifiers{.shift = true}}}) {
+        frame();
+        press(Key::escape);
+        press(Key::tab);
+        press(which, modifiers);
+        ASSERT_TRUE(has("uA.animate"));
+        EXPECT_GE(place("uA.animate").y, place("uA.name").y + place("uA.name").height);
+        press(Key::down);
+        press(Key::down);
+        EXPECT_EQ(value(), 2);
+        press(Key::enter);
+        EXPECT_FALSE(has("uA.animate"));
+        EXPECT_EQ(memory_.logarithmic.empty(), which == Key::f10) << "its second entry, there and back";
+        press(Key::right);
+        EXPECT_GT(value(), 2) << "the slider has the focus again";
+        controls_.items[0].value[0] = 2;
+    }
+}
+
 TEST_F(Values, TabStaysWithWhatIsNoNumber) {
     add_slider("uA", 0, .1, 9);
     add_slider("uB", 0, .2, 9);

@@ -6,6 +6,7 @@
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
 #include "src/ui/help.h"
+#include "src/ui/kit/kit.h"
 #include "tests/scratch.h"
 #include "tests/ui/screen.h"
 
@@ -85,6 +86,17 @@ TEST_F(ViewPanel, NumbersGoToWhatIsHeld) {
     View fresh;
     fresh.axes = true;
     EXPECT_EQ(view_, fresh) << "all but the axes";
+}
+
+TEST_F(ViewPanel, NumbersSayWhatTheyAre) {
+    for (const auto& [name, unit] :
+         {std::pair("rotate_x", "degrees"), {"rotate_y", "degrees"}, {"z", "units"}, {"scale", "as in the scene"}}) {
+        const Rect at = place(std::string("view.") + name);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({}, 1);
+        frame({}, 1);
+        EXPECT_TRUE(kit().tip.shown && kit().tip.text.find(unit) != std::string::npos) << name << kit().tip.text;
+    }
 }
 
 TEST_F(ViewPanel, ARightClickOnANumberGivesItsFirstValueBack) {

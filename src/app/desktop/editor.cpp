@@ -120,7 +120,10 @@ std::string Editor::look() {
     std::string said;
     std::erase_if(running_, [&](Running& editor) {
         const auto ended = editor.process.poll();
-        if (ended && ended->status > 0) said = fmt::format("{} ended with status {}", editor.name, ended->status);
+        if (ended && ended->status > 0)
+            said = editor.name == "xdg-open"
+                       ? fmt::format("no editor is set, and xdg-open ended with status {}", ended->status)
+                       : fmt::format("{} ended with status {}", editor.name, ended->status);
         return ended.has_value();
     });
     return said;

@@ -31,7 +31,11 @@ class Editor {
 public:
     explicit Editor(std::string name = editor_of_environment()) : name_(std::move(name)) {}
 
-    const std::string& name() const { return name_; }
+    // For people: xdg-open is what they never named.
+    const std::string& name() const {
+        static const std::string desktop = "the desktop's editor";
+        return name_ == "xdg-open" ? desktop : name_;
+    }
     // Empty: that of the environment.
     void set(const std::string& name) { name_ = name.empty() ? editor_of_environment() : name; }
     Started open(const std::string& file, int line, int column);

@@ -52,7 +52,7 @@ void Watch::set_paths(std::vector<std::string> paths) {
     entries_ = std::move(entries);
 }
 
-bool Watch::changed() {
+bool Watch::changed(bool at_once) {
     bool differs = false, rests = true;
     for (Entry& entry : entries_) {
         const Stamp now = look(entry);
@@ -62,7 +62,7 @@ bool Watch::changed() {
         }
         entry.last = now;
     }
-    if (!differs || !rests) return false;
+    if (!differs || !(rests || at_once)) return false;
     for (Entry& entry : entries_) entry.known = entry.last;
     return true;
 }

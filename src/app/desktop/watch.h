@@ -20,8 +20,8 @@ public:
     // compared with their current state.
     void set_paths(std::vector<std::string> paths);
     // Polls once. Returns true when two polls in a row saw the same new state, so that a file is not read while it is
-    // still being written.
-    bool changed();
+    // still being written; `at_once`: also for one that was never seen before.
+    bool changed(bool at_once = false);
 
 private:
     struct Stamp {

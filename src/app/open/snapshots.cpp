@@ -64,8 +64,8 @@ std::string no_snapshot(std::string_view number, const std::string& scene) {
     const auto stored = snapshots_there(scene);
     for (std::size_t i = 1; i < stored.size(); ++i)
         if (stored[i]) there += fmt::format("{}{}", there.empty() ? "" : ", ", i);
-    return fmt::format("there is no snapshot {}; the scene has {}", utf8::printable(number),
-                       there.empty() ? "none" : there);
+    const char* noun = there.empty() ? "none" : there.size() > 1 ? "snapshots " : "snapshot ";
+    return fmt::format("there is no snapshot {}; the scene has {}{}", utf8::printable(number), noun, there);
 }
 
 Setup read_snapshot(int number, const std::string& scene, std::string& error) {

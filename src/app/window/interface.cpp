@@ -33,8 +33,10 @@ float Interface::density() const {
 
 void Interface::begin(double seconds, std::span<const Event> events) {
     const PixelSize size = window_.size();
-    const ui::Screen screen{static_cast<float>(size.width), static_cast<float>(size.height), density(),
-                            window_.content_scale() / density() * memory_.zoom, memory_.theme};
+    const ui::Screen screen{
+        static_cast<float>(size.width), static_cast<float>(size.height), density(),
+        ui::fitting_scale(window_.content_scale() / density() * memory_.zoom, static_cast<float>(size.width)),
+        memory_.theme};
     if (gui_.input(screen, seconds, events)) painter_.upload_fonts();
     gui_.begin();
 }

@@ -39,8 +39,9 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
     const bool right = column && memory.pixels.x * density >= *column;
     ui::PixelMemory asked = memory.pixels;
     asked.inspecting &= !column || found_.rung() || states_.shows(right);
-    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density,
-                          column ? right ? "right" : "left" : "") ||
+    const std::string name = !found_.rung() ? states_.text(right) : right ? "the scene as it is" : found_text();
+    const std::string half = column ? (right ? "right: " : "left: ") + name : "";
+    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density, half) ||
            opened || texels || found;
 }
 

@@ -154,6 +154,7 @@ bool Opener::look(ui::Memory& memory) {
     std::string said = editor_.look();
     if (said.empty()) return pictured;
     memory.failure = {std::move(said), ui::Failure::Remedy::editor, edited_};
+    memory.notice.clear();  // it said that the editor opens the file
     return true;
 }
 

@@ -46,8 +46,8 @@ public:
     // Shows another scene as it is in its file, with the values of `memory`. Returns "", or why the current scene
     // stays.
     std::string open(std::string path, Remembered memory = {});
-    // True if a file in use was saved, so that the scene must be reloaded.
-    bool saved() { return watch_.changed(); }
+    // True if a file in use was saved, so that the scene must be reloaded; `at_once`: even if it may still be written.
+    bool saved(bool at_once = false) { return watch_.changed(at_once); }
 
     // Compiles the programs for other rungs if the controls ask for them. Returns true if the problems may have
     // changed.

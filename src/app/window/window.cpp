@@ -399,7 +399,7 @@ void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
     keep_picture();
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
-        interface_.memory().failure = {utf8::printable(problem)};
+        interface_.memory().failure = {utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}};
         return;
     }
     interface_.begin_scene();
@@ -454,6 +454,7 @@ void App::serve(const ui::Requests& requests) {
         window_->set_clipboard(command);
         memory.notice = "copied: " + command;
     }
+    if (requests.write_rung) memory.write_rung.folder = workspace_.folder();
     if (requests.reload) reload();
     if (requests.full_screen) window_->set_full_screen(!window_->full_screen());
 }

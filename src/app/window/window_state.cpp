@@ -80,7 +80,7 @@ json found_of(const ui::FoundFacts& facts) {
 
 // Values are written as text, because JSON has neither NaN nor infinity.
 json pixels_of(const ui::PixelFacts& facts) {
-    json pixels{{"title", facts.at}};
+    json pixels{{"title", facts.half.empty() ? facts.at : facts.at + ", " + facts.half}};
     if (facts.flags)
         for (const Flag flag : {Flag::nan, Flag::infinite, Flag::negative, Flag::above_one})
             pixels["flags"][std::string(name(flag))] = (*facts.flags)[flag];

@@ -44,11 +44,6 @@ std::string confirmed_page(const Document& document, ui::SaveAs& dialog) {
     return ui::confirmed(dialog, std::filesystem::exists(page, error), page.string()) ? page.string() : "";
 }
 
-// The folder of a scene, as displayed.
-std::string shown_folder(const std::string& scene) {
-    return utf8::printable(with_tilde(std::filesystem::path(whole_path(scene)).parent_path().string()));
-}
-
 void expand_tilde(ui::SaveAs& dialog) {
     const std::string whole = without_tilde(dialog.file.data());
     if (whole.size() >= dialog.file.size()) return;
@@ -71,6 +66,10 @@ Workspace::Workspace(const WindowOptions& options, const gl::Caps& caps, Watcher
       keeper_(options.scene),
       opener_(settings_file()),
       saver_(caps, options.access.limits) {}
+
+std::string Workspace::folder() {
+    return utf8::printable(with_tilde(std::filesystem::path(whole_path(session_.path())).parent_path().string()));
+}
 
 void Workspace::report() {
     std::string text = session_.problems_text();
@@ -120,7 +119,7 @@ void Workspace::remember_scene() {
 
 std::string Workspace::open(const std::string& path, View& view) {
     past_.finish(session_, view);
-    if (session_.saved()) {  // such as a save that was undone: what differs from the file now is remembered
+    if (session_.saved(true)) {  // such as a save that was undone: what differs from the file now is remembered
         session_.reload();
         past_.reread(session_, view);
     }
@@ -144,6 +143,7 @@ void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
     facts.revision = session_.revision();
     if (const Document* shown = document()) {
         facts.scene = &shown->scene();
+        facts.incomplete = shown->diagnostics.has_errors();
         facts.animated = shown->runtime->animated();
         facts.mouse = shown->runtime->uses_mouse();
         linked_.clear();
@@ -162,15 +162,16 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
     if (document()) {
         const std::string undone = past_.serve(requests, session_, view, memory.animated, [this] { follow_rungs(); });
         if (!undone.empty()) {
+            // What has changed is read already, or is no file of the scene.
             if (undone.starts_with("not "))
-                memory.failure = {undone, ui::Failure::Remedy::reload};
+                memory.failure = {undone};
             else
                 memory.notice = undone;
             keeper_.look_again();
         }
         if (requests.save_as_now) expand_tilde(memory.save_as);
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
-        if (requests.save_as) memory.save_as.folder = shown_folder(session_.path());
+        if (requests.save_as) memory.save_as.folder = folder();
         if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files));
         if (!served.saved_as.empty()) {
             past_.hand_on(session_, served.saved_as, view);
@@ -179,12 +180,17 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         saver_.serve(requests, *document(), shown, window, memory);
         serve_page(requests, view, memory);
     }
-    return opener_.serve(requests, session_.path(), memory);
+    const std::optional<std::string> other = opener_.serve(requests, session_.path(), memory);
+    if (!memory.failure.text.empty())
+        memory.failure.text =
+            near_names(memory.failure.text, std::filesystem::path(session_.path()).parent_path().string());
+    return other;
 }
 
 void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory) {
     ui::SaveAs& dialog = memory.save_page;
-    if (requests.save_page) ui::open_save_as(dialog, std::filesystem::path(session_.path()).stem().string() + ".html");
+    if (requests.save_page)
+        ui::open_save_as(dialog, std::filesystem::path(session_.path()).stem().string() + ".html", folder());
     if (!requests.save_page_now) return;
     const std::string page = confirmed_page(*document(), dialog);
     if (page.empty()) return;

@@ -26,6 +26,8 @@ public:
               Past& past);
 
     Session& session() { return session_; }
+    // The scene's folder, as displayed.
+    std::string folder();
     Document* document() { return session_.document(); }
     const Settings& settings() const { return opener_.settings(); }
 

@@ -48,6 +48,14 @@ void animate(Controls& controls, std::vector<Animated>& animated, double time) {
     }
 }
 
+void set_logarithmic(Animated& motion, const Control& control, bool logarithmic, double time) {
+    if (motion.logarithmic == logarithmic || motion.component >= control.value.size()) return;
+    const double cycles = (time - motion.start) / motion.period;
+    const bool back = cycles - std::floor(cycles) > .5;
+    motion = animated_from(control, motion.component, motion.period, time, logarithmic);
+    if (back) motion.start = 2 * time - motion.start - motion.period;
+}
+
 void set_period(Animated& motion, double period, double time) {
     const double cycles = (time - motion.start) / motion.period;
     motion.period = std::clamp(period, .1, 1e4);

@@ -30,6 +30,7 @@ Animated animated_from(const Control& control, std::size_t component, double per
 void animate(Controls& controls, std::vector<Animated>& animated, double time);
 // The value of this moment stays.
 void set_period(Animated& motion, double period, double time);
+void set_logarithmic(Animated& motion, const Control& control, bool logarithmic, double time);
 // stop() ends the motion of a component, stop_all() those of a program.
 void stop(std::vector<Animated>& animated, const Control& control, std::size_t component);
 void stop_all(std::vector<Animated>& animated, Index program);

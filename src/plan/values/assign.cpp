@@ -173,6 +173,9 @@ std::optional<std::vector<double>> fitted(const Control& control, const Selected
     for (double& value : values) {
         const double kept = fit_to_type(value, control.type);
         const bool rounded = !real && control.type != ValueType::bool_ && std::round(value) == kept;
+        if (rounded && kept != value)
+            diagnostics.warning("uniform-value-type",
+                                fmt::format("'{}' takes whole numbers: {} is set as {}", control.name, value, kept));
         if (kept != value && control.type != ValueType::bool_ && !rounded) {
             diagnostics.error("uniform-value-range", fmt::format("'{}' cannot have the value {}", control.name, value),
                               fmt::format("the nearest valid value is {}", kept));

@@ -31,6 +31,9 @@ bool reachable() {
     return (g.CurrentItemFlags & ImGuiItemFlags_Disabled) == 0;
 }
 
+bool in_popup() { return (ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Popup) != 0; }
+bool in_menu() { return in_popup() && (ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Modal) == 0; }
+
 void say(const ImRect& box, std::string_view what) {
     const ImVec2 size = box.GetSize();
     Tip& remark = kit().remark;
@@ -67,7 +70,7 @@ bool apply(double& value, double entered) {
 bool focusable(const ImRect& box, ImGuiID id, Focus::Kind kind) {
     Focus& focus = kit().focus;
     if (!reachable()) return false;
-    focus.stops.push_back({id, kind});
+    focus.stops.push_back({id, kind, in_menu()});
     if (focus.at != id) return false;
     focus.passed = true;
     focus.box = {box.Min.x, box.Min.y, box.GetWidth(), box.GetHeight()};
@@ -95,15 +98,25 @@ bool text_field(const char* id, const char* hint, std::span<char> text, ImGuiInp
     const ImGuiID item = ImGui::GetID(id);
     Focus& focus = kit().focus;
     const bool enter = pressed(Key::enter) || pressed(Key::keypad_enter);
-    if (focusable(box, item, Focus::Kind::text) && (focus.opens || (!g.IO.WantTextInput && enter))) {
+    // In dialogs and menus, where letters are no keys, they go to the field: in menus, which have one, wherever the
+    // focus is.
+    ImVector<ImWchar> typed;
+    const bool focused = focusable(box, item, Focus::Kind::text), free = !g.IO.WantTextInput;
+    if ((focused || in_menu()) && free && in_popup() && !g.IO.KeyCtrl && !g.IO.KeyAlt)
+        typed = g.IO.InputQueueCharacters;
+    const bool letters = !typed.empty() && typed[0] > ' ';
+    if (letters || (focused && (focus.opens || (free && enter)))) {
+        g.NavActivateInputId = item;
+        g.NavActivateFlags = letters ? ImGuiActivateFlags_TryToPreserveState : ImGuiActivateFlags_None;
         focus.opens = false;
         take(Key::enter);
         take(Key::keypad_enter);
-        g.NavActivateInputId = item;
-        g.NavActivateFlags = ImGuiActivateFlags_None;
     }
     const bool changed = ImGui::InputTextWithHint(id, hint, text.data(), text.size(), flags);
     g.NavActivateInputId = 0;
+    // Dear ImGui drops what is typed in the frame in which a field becomes active.
+    if (ImGuiInputTextState* state = letters ? ImGui::GetInputTextState(item) : nullptr)
+        for (const ImWchar c : typed) state->OnKeyPressed(c);
     if (ImGui::IsItemActive() && focus.at != item) take_focus(item);
     if (!ImGui::IsItemActive()) draw_focus(box, item);
     return changed;
@@ -112,6 +125,7 @@ bool text_field(const char* id, const char* hint, std::span<char> text, ImGuiInp
 double key_steps(ImGuiID id) {
     const ImGuiIO& io = ImGui::GetIO();
     if (kit().focus.at != id || !kit().focus.passed || io.WantTextInput || io.KeyCtrl || io.KeyAlt) return 0;
+    if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 && !in_popup()) return 0;  // the keys are the menu's
     const auto way = [](Key up, Key down) { return int{pressed(up, true)} - int{pressed(down, true)}; };
     const int arrows = way(Key::right, Key::left) + way(Key::up, Key::down);
     return arrows * (io.KeyShift ? .1 : 1) + 10 * way(Key::page_up, Key::page_down);

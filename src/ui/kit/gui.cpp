@@ -91,8 +91,6 @@ bool Gui::input(const Screen& screen, double seconds, std::span<const Event> eve
     io.DisplaySize = {screen.width, screen.height};
     io.DisplayFramebufferScale = {screen.density, screen.density};
     io.DeltaTime = static_cast<float>(std::max(seconds, 1e-5));
-    // Events are seen when a frame begins: with slow ones, the presses of a double click come two frames apart.
-    io.MouseDoubleClickTime = .3F + 2 * io.DeltaTime;
     feed(events);
     return new_fonts;
 }

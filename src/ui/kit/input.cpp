@@ -7,11 +7,23 @@
 #include <cfloat>
 #include <utility>
 
+#include "src/ui/kit/kit.h"
+
 namespace snell::ui {
 
 namespace {
 
 bool is_press(const Event& event) { return event.kind == Event::Kind::button || event.kind == Event::Kind::key; }
+
+// Two presses are a double click by when they happened, however long the frames between them took. Dear ImGui, which
+// compares the times of frames, is told to take any or none; how far they are apart it knows.
+void count_click(const Event& event) {
+    constexpr double longest = .3;  // seconds
+    ClickMemory& last = kit().click;
+    const bool soon = last.button == event.button && event.since - last.seen < longest;
+    ImGui::GetIO().MouseDoubleClickTime = soon ? 1e6F : -1;
+    last = {event.button, event.seen};
+}
 
 }  // namespace
 
@@ -83,6 +95,7 @@ void feed(std::span<const Event> events) {
                 break;
             case Event::Kind::button:
                 io.MouseDown[static_cast<int>(event.button)] = event.down;
+                if (event.down) count_click(event);
                 break;
             case Event::Kind::wheel:
                 io.MouseWheelH += static_cast<float>(event.x);

@@ -70,10 +70,32 @@ const Focus::Stop* next_stop(const Focus& focus) {
     return count == 0 || io.WantTextInput ? nullptr : &(io.KeyShift ? focus.stops.back() : focus.stops.front());
 }
 
+// Where the arrow keys lead in a menu that is open; null if none is.
+const Focus::Stop* next_entry(const Focus& focus) {
+    const int way = int{pressed(Key::down, true)} - int{pressed(Key::up, true)};
+    if (way == 0 || ImGui::GetIO().WantTextInput) return nullptr;
+    const auto entry = [](const Focus::Stop& stop) { return stop.menu && stop.kind == Focus::Kind::button; };
+    const Focus::Stop *first = nullptr, *last = nullptr, *before = nullptr, *after = nullptr;
+    bool passed = false;
+    for (const Focus::Stop& stop : focus.stops) {
+        if (!entry(stop)) continue;
+        if (!first) first = &stop;
+        last = &stop;
+        if (stop.id == focus.at)
+            passed = true;
+        else if (!passed)
+            before = &stop;
+        else if (!after)
+            after = &stop;
+    }
+    if (way > 0) return after ? after : first;
+    return passed && before ? before : last;
+}
+
 void move_focus(Focus& focus) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool tab = pressed(Key::tab, true) && !io.KeyCtrl && !io.KeyAlt && !focus.refused;
-    const Focus::Stop* next = tab ? next_stop(focus) : nullptr;
+    const Focus::Stop* next = tab ? next_stop(focus) : next_entry(focus);
     focus.tabbed = next != nullptr;
     if (next) {
         focus.opens = io.WantTextInput || next->kind == Focus::Kind::text;
@@ -152,11 +174,20 @@ void end_kit() {
 }
 
 void note_opener(const Rect& box, bool open, bool swallows) {
-    if (open) kit().swallows = swallows;
-    if (open)
-        kit().opener = box;
-    else if (kit().opener == box)
-        kit().opener = {};
+    Kit& kit = ui::kit();
+    if (open) {
+        if (kit.opener == Rect{}) {
+            kit.opened_by = kit.focus.at;
+            kit.opened_by_keys = kit.focus.presses;
+        }
+        kit.swallows = swallows;
+        kit.opener = box;
+    } else if (kit.opener == box) {
+        kit.opener = {};
+        if (kit.opened_by == 0) return;
+        kit.focus.at = kit.opened_by;
+        kit.focus.presses = kit.opened_by_keys;
+    }
 }
 
 double tip_due() {

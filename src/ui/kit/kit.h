@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "src/platform/window.h"
 #include "src/ui/kit/style.h"
 
 namespace snell::ui {
@@ -53,6 +54,7 @@ struct Focus {
     struct Stop {
         unsigned id = 0;
         Kind kind = Kind::value;
+        bool menu = false;  // an entry of a menu: arrow keys lead to the next one
     };
     unsigned at = 0;          // id of the widget; 0 if there is none
     Rect box;                 // of the widget, where it was drawn last
@@ -89,16 +91,25 @@ struct Drag {
     double before = 0, exact = 0;  // when the drag began; now, before rounding
 };
 
+// The last press of a button.
+struct ClickMemory {
+    MouseButton button = MouseButton::left;
+    double seen = -1e9;  // as in Event
+};
+
 struct Kit {
     const Palette* palette = &palette_of(Theme::light);
     Focus focus;
     Typing typing;
-    Tip tip;                // what the pointer rests on
-    Tip next_tip;           // the same in this frame
-    Tip remark;             // why a typed text was not applied; shown until the next press
-    Rect opener;            // the button that opened the drop-down, menu or picker
-    bool swallows = false;  // a press that closes it does nothing else
+    Tip tip;                      // what the pointer rests on
+    Tip next_tip;                 // the same in this frame
+    Tip remark;                   // why a typed text was not applied; shown until the next press
+    Rect opener;                  // the button that opened the drop-down, menu or picker
+    unsigned opened_by = 0;       // the widget that had the focus then, and gets it back; 0 if there was none
+    bool opened_by_keys = false;  // Focus::presses of then
+    bool swallows = false;        // a press that closes it does nothing else
     Drag drag;
+    ClickMemory click;
 };
 
 // Of the current context, which a Gui must have made.

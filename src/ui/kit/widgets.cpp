@@ -69,6 +69,29 @@ bool selectable(const char* text, bool chosen, int flags, const ImVec2& size) {
     return pressed;
 }
 
+bool begin_popup(const char* name, bool above) {
+    ImGuiStorage& sizes = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(name), width = id + 1, height = id + 2;
+    const ImVec2 all = ImGui::GetIO().DisplaySize, from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const float wide = sizes.GetFloat(width), high = sizes.GetFloat(height);
+    const float y = above ? from.y - ImGui::GetStyle().ItemSpacing.y - high : std::min(to.y, all.y - high);
+    ImGui::SetNextWindowPos({std::max(0.0F, std::min(from.x, all.x - wide)), std::max(0.0F, y)});
+    // Only where it must: Dear ImGui rounds what it limits, and scrolls what is less than a pixel too high.
+    if (wide >= all.x || high >= all.y) ImGui::SetNextWindowSizeConstraints({0, 0}, all);
+    const bool open = ImGui::BeginPopup(name);
+    note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
+    if (!open) return false;
+    sizes.SetFloat(width, ImGui::GetWindowWidth());
+    sizes.SetFloat(height, ImGui::GetWindowHeight());
+    return true;
+}
+
+bool menu_item(const char* text, const char* keys, bool on, bool enabled) {
+    const bool clicked = ImGui::MenuItem(text, keys, on, enabled), chosen = enabled ? or_keys(clicked) : clicked;
+    if (chosen) ImGui::CloseCurrentPopup();
+    return chosen;
+}
+
 bool button(const char* text, Layout& layout, std::string_view name) {
     const bool pressed = or_keys(ImGui::Button(text));
     layout.note(name);
@@ -201,11 +224,12 @@ bool switch_box(const char* text, bool& on) {
     return switched;
 }
 
-bool section(const char* title, Titles& open, Layout& layout, const char* name) {
+bool section(const char* title, const char* about, Titles& open, Layout& layout, const char* name) {
     show_opened();
     const auto kept = open.find(std::string_view(title));
     ImGui::SetNextItemOpen(kept != open.end());
     const bool opened = header(title);
+    tip(about);
     layout.note(name);
     keep_in_view(opened);
     if (opened && kept == open.end()) open.emplace(title);

@@ -29,6 +29,11 @@ void tip_below_window(std::string_view text);
 // Adds the last item to the order of Tab, by an id of its own where it has none. Returns true if it was clicked, or the
 // keys press it.
 bool or_keys(bool clicked, unsigned id = 0);
+// Begins the popup of this name below the last item, or above it, within the screen; its size is that of the last
+// frame. Returns true if it is open; then call ImGui::EndPopup.
+bool begin_popup(const char* name, bool above = false);
+// Draws an entry of a menu, which a choice closes. Returns true if it was chosen.
+bool menu_item(const char* text, const char* keys = nullptr, bool on = false, bool enabled = true);
 // Draws a row that can be chosen. Returns true if it was clicked, or the keys press it.
 bool selectable(const char* text, bool chosen = false, int flags = 0, const ImVec2& size = {0, 0});
 // Draws a button and records its place as `name`. Returns true if the user pressed it.
@@ -61,7 +66,8 @@ bool fitted(std::string_view text, float width, bool dim = false);
 // The titles of the open sections.
 using Titles = std::set<std::string, std::less<>>;
 // Draws a header that opens and closes its section, and returns whether it is open. `open` is saved from run to run.
-bool section(const char* title, Titles& open, Layout& layout, const char* name);
+// The tooltip says what the section is about.
+bool section(const char* title, const char* about, Titles& open, Layout& layout, const char* name);
 
 // Call after the header of a section: once the user opens it, show_opened() scrolls until its contents are visible.
 void keep_in_view(bool open);

@@ -66,8 +66,8 @@ void figures(const Facts& all, Layout& layout) {
     }
 }
 
-void legend() {
-    const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFontSize() * .6F;
+void legend(float width) {
+    const float height = ImGui::GetFontSize() * .6F;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     constexpr int steps = 48;
@@ -163,6 +163,8 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     ImGui::BeginDisabled(!facts.note.empty() || facts.of_scene);
     const bool pressed = or_keys(ImGui::Button(label, {button, 0}));
     ImGui::EndDisabled();
+    tip(facts.of_scene ? "Rungs are measured against the reference, not while two other states are shown"
+                       : "Measures error and time of every rung of this ladder");
     layout.note("accuracy.measure");
     if (facts.measured)
         ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
@@ -193,8 +195,12 @@ void state_menu(const StateFacts& facts, const StateFacts::Side& side, bool left
         if (selectable(choice.text.c_str(), choice.name == side.name)) name = choice.name;
         layout.note(left ? "left" : "right", choice.name);
     }
-    ImGui::SetNextItemWidth(12 * ImGui::GetFontSize());
-    if (text_field("##settings", "values, as uIndex=1.33", memory.settings, ImGuiInputTextFlags_EnterReturnsTrue)) {
+    const float em = ImGui::GetFontSize();
+    const float width = std::min(std::clamp(button_width(facts.example), 12 * em, 24 * em),
+                                 std::max(ImGui::GetIO().DisplaySize.x - 2 * em, 1.0F));
+    const Text hint = shortened(facts.example, width - button_width(""));
+    ImGui::SetNextItemWidth(width);
+    if (text_field("##settings", hint.c_str(), memory.settings, ImGuiInputTextFlags_EnterReturnsTrue)) {
         if (memory.settings[0] != '\0') name = memory.settings.data();
         memory.settings.fill('\0');
         ImGui::CloseCurrentPopup();
@@ -214,11 +220,7 @@ void state_button(const StateFacts& facts, std::size_t index, float width, Accur
     if (side.failed) ImGui::PopStyleColor();
     layout.note(left ? "accuracy.left" : "accuracy.right");
     tip(side.label);
-    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
-    ImGui::SetNextWindowPos({from.x, from.y - ImGui::GetStyle().ItemSpacing.y}, ImGuiCond_Always, {0, 1});
-    const bool open = ImGui::BeginPopup("states");
-    note_opener({from.x, from.y, to.x - from.x, to.y - from.y}, open);
-    if (open) {
+    if (begin_popup("states", true)) {
         state_menu(facts, side, left, memory, layout);
         ImGui::EndPopup();
     }
@@ -276,6 +278,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
                       Layout& layout) {
     ImGui::SetNextItemOpen(memory.open);
     memory.open = header("Accuracy");
+    tip("Error and time of the scene's approximations, and cheaper or better ones that snell finds");
     layout.note("accuracy");
     keep_in_view(memory.open);
     if (!memory.open) return;
@@ -284,7 +287,8 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
     if (facts.accuracy) {
         figures(facts, layout);
         show_buttons(memory, layout);
-        if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty()) legend();
+        if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty())
+            legend(ImGui::GetContentRegionAvail().x);
     }
     if (moves) {
         switch_box("Pause time", memory.hold_time);
@@ -344,6 +348,11 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
         if (!two_lines) {
             ImGui::SameLine();
             state_button(states, 1, wide(1), memory, layout);
+        }
+        if (memory.show == Show::heat && !two_lines) {
+            ImGui::TextDisabled("Difference of light, where white is 1");
+            legend(std::max(all - 2 * pad, 1.0F));
+            layout.note("accuracy.legend");
         }
     }
     const float top = ImGui::GetWindowPos().y;

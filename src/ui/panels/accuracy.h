@@ -71,6 +71,7 @@ struct StateFacts {
     };
     std::vector<Choice> choices;
     std::array<Side, 2> sides;
+    std::string example = "values, such as uIndex=1.33";  // of what can be typed
 };
 
 struct AccuracyMemory {

@@ -60,8 +60,8 @@ void draw_picture(const SmallPicture& picture, ImVec2 at, ImVec2 room) {
     list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
     if (picture.texture == 0) {
         list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
-        constexpr std::string_view none = "no picture";  // the tooltip says why
-        if (picture.why.empty() || width_of(none) > room.x) return;
+        const std::string_view none = picture_words(picture);
+        if (width_of(none) > room.x) return;
         const ImVec2 middle((at.x + end.x - width_of(none)) / 2, (at.y + end.y - ImGui::GetTextLineHeight()) / 2);
         return list.AddText(middle, ImGui::GetColorU32(ImGuiCol_TextDisabled), none.data(), none.data() + none.size());
     }
@@ -185,14 +185,19 @@ ImVec2 picture_size() {
     return {std::round(height * 4 / 3), height};
 }
 
-void entry_row(const Entry& entry, bool chosen, bool columns, float date_width, float size_width) {
+void entry_row(const Entry& entry, bool chosen, bool columns, float date_width, float size_width, Layout& layout) {
     const ImVec2 at = ImGui::GetItemRectMin();
     const float right = ImGui::GetItemRectMax().x, pad = ImGui::GetStyle().FramePadding.x;
     const float mark = picture_size().x + pad;
     const float top = at.y + (ImGui::GetItemRectSize().y - ImGui::GetTextLineHeight()) * .5F;
     const float end = columns ? right - date_width - size_width - 2 * pad : right - pad;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (!entry.folder) draw_picture(entry.picture, {at.x + pad, at.y}, picture_size());
+    if (!entry.folder) {
+        // The row reaches into the gaps above and below it.
+        const ImVec2 size = picture_size(), corner(at.x + pad, at.y + (ImGui::GetItemRectSize().y - size.y) * .5F);
+        draw_picture(entry.picture, corner, size);
+        layout.place("browser.picture", {corner.x, corner.y, size.x, size.y});
+    }
     const ImU32 text = ImGui::GetColorU32(ImGuiCol_Text), dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     if (entry.folder) list.AddText({at.x + pad, top}, chosen ? text : dim, "\u25B8");
     list.AddText({at.x + pad + mark, top}, text, shortened(entry.name, end - at.x - pad - mark).c_str());
@@ -223,7 +228,7 @@ void entries(const Listing& listing, const std::vector<std::size_t>& shown, bool
             {0, entry.folder ? ImGui::GetTextLineHeight() : picture_size().y});
         const bool keys = or_keys(false);
         layout.note("browser.entry", entry.name);
-        if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width);
+        if (ImGui::IsItemVisible()) entry_row(entry, chosen, columns, date_width, size_width, layout);
         if (!entry.picture.why.empty())
             tip(Text("{}\nNo picture: {}", entry.name, entry.picture.why).view());
         else if (width_of(entry.name) > 20 * em)
@@ -349,6 +354,11 @@ std::vector<Crumb> crumbs(std::string_view folder) {
         begin = end + 1;
     }
     return found;
+}
+
+// Of what has none, the tooltip says why.
+std::string_view picture_words(const SmallPicture& picture) {
+    return picture.texture != 0 ? "" : picture.why.empty() ? "being drawn\u2026" : "no picture";
 }
 
 void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {

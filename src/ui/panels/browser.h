@@ -23,6 +23,9 @@ struct SmallPicture {
     bool operator==(const SmallPicture&) const = default;
 };
 
+// What stands in the place of a picture that there is not.
+std::string_view picture_words(const SmallPicture& picture);
+
 struct Entry {
     std::string name;  // with unprintable characters replaced
     std::string path;

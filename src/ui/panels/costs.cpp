@@ -34,6 +34,9 @@ void put(ImDrawList& list, ImVec2 at, ImVec4 color, const Text& text) {
     list.AddText(at, pack(color), text.begin(), text.end());
 }
 
+// Median and percentile of fewer pictures say nothing, least of all while programs are being compiled.
+bool plotted(const FrameCostFacts& facts) { return facts.frames.size() > 2; }
+
 // Plots the last frames from left to right, with lines for the median and the 95th percentile.
 void plot(const FrameCostFacts& facts, Layout& layout) {
     const Palette& colors = palette();
@@ -45,7 +48,7 @@ void plot(const FrameCostFacts& facts, Layout& layout) {
     // Single frames may be far longer; the scale shows the typical ones.
     const double top = round_up(1.3 * std::max<double>(facts.high, facts.median));
     list.AddRectFilled(at, {at.x + width, at.y + height}, pack(colors.track), ImGui::GetStyle().FrameRounding);
-    if (facts.frames.size() < 2) {
+    if (!plotted(facts)) {
         const Text none = shortened("The next pictures are plotted here.", width - em);
         return put(list, {at.x + (width - width_of(none.view())) / 2, at.y + (height - em) / 2}, colors.dim, none);
     }
@@ -86,6 +89,7 @@ void row(const CostRow& cost, double all, Layout& layout) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + width - taken);
     ImGui::TextUnformatted(text.begin(), text.end());
+    layout.note("frame cost.time", cost.name);
 }
 
 // Returns the sum of the passes.
@@ -110,11 +114,12 @@ void last_picture(const Facts& facts, Layout& layout) {
 }
 
 bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
-    memory.frame_cost = section("Frame cost", memory.open, layout, "frame cost");
+    memory.frame_cost =
+        section("Frame cost", "How long pictures take, and their passes and draws", memory.open, layout, "frame cost");
     if (!memory.frame_cost || !facts.frame_cost) return false;
     const FrameCostFacts& cost = *facts.frame_cost;
     last_picture(facts, layout);
-    if (cost.frames.size() > 2) {
+    if (plotted(cost)) {
         const Text high("95 %: {:.1f} ms", cost.high);
         ImGui::TextDisabled("%s", Text("median {:.1f} ms", cost.median).c_str());
         follow(width_of(high.view()), ImGui::GetFontSize());
@@ -270,7 +275,8 @@ std::string bytes_text(std::uint64_t bytes) {
 }
 
 void costs_section(const Facts& facts, Memory& memory, Layout& layout) {
-    memory.costs = section("Costs", memory.open, layout, "costs");
+    memory.costs = section("Costs", "What the scene keeps in memory and why, and what it never uses", memory.open,
+                           layout, "costs");
     if (!memory.costs || !facts.explanation) return;
     std::uint64_t bytes = 0;
     for (const Paid& paid : facts.explanation->paid) bytes += paid.bytes;

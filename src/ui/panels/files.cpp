@@ -55,7 +55,9 @@ bool edit_link(const Facts& facts, const Place& place, bool read_on) {
 }
 
 void files_section(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
-    if (!section("Files", memory.open, layout, "files")) return;
+    if (!section("Files", "The files that the scene reads; a click opens one in your editor", memory.open, layout,
+                 "files"))
+        return;
     const float width = ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; i < facts.files.size(); ++i) {
         const FileRow& file = facts.files[i];
@@ -71,7 +73,9 @@ void files_section(const Facts& facts, Memory& memory, Requests& requests, Layou
 }
 
 void look_section(Memory& memory, Layout& layout) {
-    if (!section("Window", memory.open, layout, "window")) return;
+    if (!section("Window", "Theme and size of letters, and how slow pictures are dragged", memory.open, layout,
+                 "window"))
+        return;
     static constexpr std::array titles{"Light", "Dark", "Contrast"};
     for (std::size_t i = 0; i < titles.size(); ++i) {
         if (i > 0) follow(check_box_width(titles[i]));

@@ -32,6 +32,12 @@ std::string time_of(const FoundRow& row) {
     return fmt::format("{} [{}, {}]", ratio_text(row.ratio), ratio_number(row.low), ratio_number(row.high));
 }
 
+// Of an error that is none, what is visible of it is nothing, too.
+std::string error_and_flip(double error, const std::optional<double>& flip) {
+    const std::string text = error_text(error);
+    return flip && text != error_text(0) ? fmt::format("{}, FLIP {}", text, error_text(*flip)) : text;
+}
+
 std::string errors_of(const FoundRow& row) {
     if (row.group == Group::untried) return row.remark;
     if (row.group == Group::unused) {
@@ -41,16 +47,14 @@ std::string errors_of(const FoundRow& row) {
         return loading + (loading.empty() || memory.empty() ? "" : ", ") + memory;
     }
     if (!row.error) return {};
-    return fmt::format("{} {}{}", row.group == Group::better ? "the scene's error" : "error", error_text(*row.error),
-                       row.flip ? fmt::format(", FLIP {}", error_text(*row.flip)) : "");
+    return (row.group == Group::better ? "the scene's error " : "error ") + error_and_flip(*row.error, row.flip);
 }
 
 std::string tip_of(const FoundRow& row) {
     std::string text = fmt::format("{}: {}\n{}\n\u2192 {}", row.kind, row.meaning, row.before,
                                    row.after.empty() ? "(nothing)" : row.after);
-    if (row.error_here)
-        text += fmt::format("\nas the scene opens: error {}{}", error_text(*row.error_here),
-                            row.flip_here ? fmt::format(", FLIP {}", error_text(*row.flip_here)) : "");
+    if (row.error_here) text += "\nas the scene opens: error " + error_and_flip(*row.error_here, row.flip_here);
+    if (row.flip || row.flip_here) text += "\nFLIP: how much of it is seen, from 0 to 1";
     if (row.of_display) text += fmt::format("\nerror of display values {}", error_text(*row.of_display));
     if (row.front) text += "\nworth its time";
     if (!row.remark.empty()) text += "\n" + row.remark;

@@ -111,7 +111,9 @@ void pixel_keys(const Rect& scene, PixelMemory& memory) {
 }
 
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
-    if (!section("Pixels", open, layout, "pixels")) return;
+    if (!section("Pixels", "The numbers that shaders wrote, and pixels that no picture can show", open, layout,
+                 "pixels"))
+        return;
     switch_box("Mark invalid values", memory.flags);
     layout.note("flags");
     tip("N: marks pixels that are NaN, infinite, below 0 or above 1 before conversion to bytes.\nThe picture is drawn "
@@ -159,7 +161,8 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
     if (!pixels.inspection) return;
     const Inspection& found = *pixels.inspection;
     const ImVec2 padding = ImGui::GetStyle().WindowPadding, all = ImGui::GetIO().DisplaySize;
-    const float em = ImGui::GetFontSize(), lines = 5 + static_cast<float>(found.depth.has_value()) +
+    const float em = ImGui::GetFontSize(), lines = 5 + static_cast<float>(!pixels.half.empty()) +
+                                                   static_cast<float>(found.depth.has_value()) +
                                                    static_cast<float>(found.distance.has_value());
     const float pixels_wide = static_cast<float>(2 * found.radius + 1), line = ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 inner(.9F * em * pixels_wide + 14.5F * em,
@@ -185,6 +188,7 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
         ImGui::SameLine();
         ImGui::BeginGroup();
         ImGui::TextDisabled("%s", pixels.at.c_str());
+        if (!pixels.half.empty()) fitted(pixels.half, ImGui::GetContentRegionAvail().x, true);
         channels(found, fonts);
         if (found.depth) {
             ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());

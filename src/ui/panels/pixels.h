@@ -23,6 +23,7 @@ struct Facts;
 struct PixelFacts {
     const Inspection* inspection = nullptr;  // set while PixelMemory::inspecting
     std::string at;                          // "pixel 12, 34"
+    std::string half;                        // "right: as saved", where two states are shown
     std::string statement, place;            // what the pixel shows, and more of it; both empty if nothing covers it
     std::optional<FlagCounts> flags;         // set while PixelMemory::flags
     std::string note;                        // why there are no flags; empty if there are

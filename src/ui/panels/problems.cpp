@@ -148,7 +148,9 @@ void problems_window(const Facts& facts, Severity severity, const Rect& scene, c
                      (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
         std::string title = counted(count(facts.problems, severity), name(severity));
-        if (errors && facts.stale) title += " \u2014 the picture shows the last version without errors";
+        if (errors && facts.stale)
+            title += facts.incomplete ? " \u2014 the picture shows an earlier version, which had errors, too"
+                                      : " \u2014 the picture shows the last version without errors";
         fitted(title, ImGui::GetContentRegionAvail().x - button_width("Hide") - ImGui::GetStyle().ItemSpacing.x);
         if (right_button("Hide", layout, "problems.hide")) {
             if (errors)
@@ -202,7 +204,7 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
 using Remedy = Failure::Remedy;
 
 // What the user can do about it, as buttons. Returns true if one was pressed.
-bool remedies(const Failure& failure, Requests& requests, Layout& layout) {
+bool remedies(const Failure& failure, Memory& memory, Requests& requests, Layout& layout) {
     const Remedy remedy = failure.remedy;
     bool chosen = false, first = true;
     const auto offer = [&](const char* text, const char* name, auto&& act) {
@@ -214,6 +216,11 @@ bool remedies(const Failure& failure, Requests& requests, Layout& layout) {
     if (remedy == Remedy::save) offer("Try again", "failure.again", [&] { requests.save = true; });
     if (remedy == Remedy::reload || remedy == Remedy::save || remedy == Remedy::save_as)
         offer("Save as\u2026", "failure.save as", [&] { requests.save_as = true; });
+    if (remedy == Remedy::open)
+        offer("Open\u2026", "failure.open", [&] {
+            open_browser({}, memory, requests);
+            failure.place.file.copy(memory.browser.typed.data(), memory.browser.typed.size() - 1);
+        });
     if (remedy != Remedy::editor) return chosen;
     offer("Set editor\u2026", "failure.editor", [&] { requests.set_editor = true; });
     if (!failure.place.file.empty()) offer("Try again", "failure.again", [&] { requests.edit = failure.place; });
@@ -221,11 +228,12 @@ bool remedies(const Failure& failure, Requests& requests, Layout& layout) {
 }
 
 // Draws the failure; true if it is done with.
-bool failure_box(const Failure& failure, const Rect& scene, float& bottom, Requests& requests, Layout& layout) {
+bool failure_box(const Rect& scene, float& bottom, Memory& memory, Requests& requests, Layout& layout) {
+    const Failure& failure = memory.failure;
     bool done = false;
     message_box(failure.text, palette().error_text, 0, scene, bottom, button_width("OK"), [&] {
         done = right_button("OK", layout, "failure.ok");
-        done |= remedies(failure, requests, layout);
+        done |= remedies(failure, memory, requests, layout);
     });
     return done;
 }
@@ -262,8 +270,7 @@ void notices(const Facts& facts, const Rect& picture, float end, Memory& memory,
     const Rect scene = with_room(picture);
     float bottom = end - ImGui::GetStyle().WindowPadding.x;
     int index = 0;
-    if (!memory.failure.text.empty() && failure_box(memory.failure, scene, bottom, requests, layout))
-        memory.failure = {};
+    if (!memory.failure.text.empty() && failure_box(scene, bottom, memory, requests, layout)) memory.failure = {};
     if (!facts.scene || !memory.panel) return;
     for (const Message& message : facts.scene->messages) {
         if (memory.dismissed.contains(message.text)) continue;

@@ -130,34 +130,43 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
 
 // Draws the menu that a right click left of a slider's track opens: on its name, its dot or beside them.
 void slider_menu(Control& control, std::size_t component, const Section& section, const ImRect& left) {
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) &&
-        left.Contains(ImGui::GetIO().MousePos))
-        ImGui::OpenPopup("##menu");
-    if (!ImGui::BeginPopup("##menu")) return;
-    if (ImGui::MenuItem(fmt::format("Reset to {}", shown_value(control, control.initial[component]).view()).c_str())) {
+    const bool clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) &&
+                         left.Contains(ImGui::GetIO().MousePos);
+    const bool keys = kit().focus.at == ImGui::GetID("##value") && !ImGui::GetIO().WantTextInput &&
+                      (pressed(Key::menu) || (pressed(Key::f10) && ImGui::GetIO().KeyShift));
+    if (clicked || keys) ImGui::OpenPopup("##menu");
+    if (keys) ImGui::SetNextWindowPos({left.Min.x, left.Max.y});
+    const bool open = ImGui::BeginPopup("##menu");
+    note_opener({left.Min.x, left.Min.y, 0, 0}, open);
+    if (!open) return;
+    if (menu_item(fmt::format("Reset to {}", shown_value(control, control.initial[component]).view()).c_str())) {
         reset(control, component);
         stop(section.memory.animated, control, component);
     }
     section.layout.note(control.name, "reset");
     bool logarithmic = is_logarithmic(control, section);
-    if (ImGui::MenuItem("Logarithmic", nullptr, &logarithmic, control.min > 0)) {
+    if (menu_item("Logarithmic", nullptr, logarithmic, control.min > 0)) {
+        logarithmic = !logarithmic;
         if (logarithmic)
             section.memory.logarithmic.insert(key_of(control));
         else
             section.memory.logarithmic.erase(key_of(control));
-        if (Animated* motion = motion_of(control, component, section.memory)) motion->logarithmic = logarithmic;
+        for (Animated& motion : section.memory.animated)
+            if (motion.program == control.program && motion.name == control.name)
+                set_logarithmic(motion, control, logarithmic, section.memory.clock.time);
     }
+    if (!(control.min > 0)) tip("Only a range above 0 can be logarithmic");
     section.layout.note(control.name, "logarithmic");
     ImGui::Separator();
     animate_rows(control, component, section);
     ImGui::EndPopup();
 }
 
-void range_tip(const Control& control, std::size_t component, const Section& section) {
+void range_tip(const Control& control, std::size_t component, const Section& section, const char* more) {
     if (!control.active) return;
-    tip(Text("{}: {:g} \u2026 {:g}{}\nscene's value: {}", name_of(control, component).view(), control.min, control.max,
-             is_logarithmic(control, section) ? ", logarithmic" : "",
-             shown_value(control, control.initial[component]).view())
+    tip(Text("{}: {:g} \u2026 {:g}{}\nscene's value: {}\n{}", name_of(control, component).view(), control.min,
+             control.max, is_logarithmic(control, section) ? ", logarithmic" : "",
+             shown_value(control, control.initial[component]).view(), more)
             .view());
 }
 
@@ -166,7 +175,7 @@ void track(Control& control, std::size_t component, const Section& section) {
     const bool changed = slider("##value", control.value[component], range, control.initial[component],
                                 section.memory.slider, section.number_width);
     note_element(control, component, section);
-    range_tip(control, component, section);
+    range_tip(control, component, section, "double click: type a number; right click: reset");
     control.min = range.min;
     control.max = range.max;
     if (changed || range.reset) stop(section.memory.animated, control, component);
@@ -190,7 +199,7 @@ void slider_row(Control& control, std::size_t component, const Section& section)
     fitted(name_of(control, component).view(),
            stacked ? ImGui::GetContentRegionAvail().x : section.name_width - ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::EndGroup();
-    range_tip(control, component, section);
+    range_tip(control, component, section, "right click: reset, animate, logarithmic");
     section.layout.note(control.name, "name");
     const float end =
         stacked ? ImGui::GetContentRegionAvail().x + corner.x : corner.x + dot_width() + section.name_width;

@@ -63,7 +63,8 @@ struct Facts {
     const Scene* scene = nullptr;          // null if the scene could not be read
     std::span<const char> linked;          // by Scene::programs: not 0 if the program can draw
     std::span<const Problem> problems;     // of the files as they are now
-    bool stale = false;                    // the picture shows an earlier, working version of the files
+    bool stale = false;                    // the picture shows an earlier version of the files
+    bool incomplete = false;               // that version has errors, too
     std::uint64_t revision = 0;            // increases each time the files are read
     bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
     double time = 0;                       // seconds since the scene began
@@ -105,11 +106,12 @@ inline constexpr double hint_seconds = 4;
 struct Failure {
     // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
     // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
-    // opens, until one does.
-    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor };
+    // opens, until one does. snapshot: nothing is offered, until one is stored or restored. open: another scene, with
+    // the name that was refused in the field.
+    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, snapshot, open };
     std::string text;
     Remedy remedy = Remedy::none;
-    Place place = {};  // where the editor was to open
+    Place place = {};  // where the editor was to open; the file that could not be opened
 };
 
 // Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys

@@ -169,7 +169,8 @@ TexturePart texture_part(const TextureMemory& memory, int width, int height) {
 void textures_section(const Facts& facts, Memory& memory, Layout& layout) {
     TextureMemory& textures = memory.textures;
     textures.inspecting = false;
-    textures.open = section("Textures", memory.open, layout, "textures");
+    textures.open = section("Textures", "The images, cube maps and noise that shaders read, texel by texel",
+                            memory.open, layout, "textures");
     if (!textures.open || !facts.textures) return;
     const TextureFacts& shown = *facts.textures;
     if (shown.rows.empty()) return wrapped("The scene has no textures.", true);

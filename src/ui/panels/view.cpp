@@ -50,6 +50,7 @@ void target_row(const View& view, HoldMemory& hold, Layout& layout) {
 struct Field {
     const char* name;
     double Transformation::*value;
+    const char* help;
 };
 
 // Draws up to three fields in a row, none narrower than its number.
@@ -70,7 +71,7 @@ void fields(const char* name, std::initializer_list<Field> row, Transformation& 
         ++at;
         ImGui::PushID(field.name);
         number("##value", t.*field.value, ValueType::float_, Transformation{}.*field.value, std::max(1.0F, width));
-        tip(field.name);
+        tip(Text("{}: {}", field.name, field.help).view());
         layout.note("view", field.name);
         ImGui::PopID();
     }
@@ -80,12 +81,16 @@ void transformation(View& view, HoldMemory& hold, Layout& layout) {
     const Transformation before = held(view, hold);
     Transformation t = before;
     fields("turn",
-           {{"rotate_x", &Transformation::rotate_x},
-            {"rotate_y", &Transformation::rotate_y},
-            {"rotate_z", &Transformation::rotate_z}},
+           {{"rotate_x", &Transformation::rotate_x, "degrees about the horizontal"},
+            {"rotate_y", &Transformation::rotate_y, "degrees about the vertical"},
+            {"rotate_z", &Transformation::rotate_z, "degrees about the line of sight"}},
            t, layout);
-    fields("move", {{"x", &Transformation::x}, {"y", &Transformation::y}, {"z", &Transformation::z}}, t, layout);
-    fields("scale", {{"scale", &Transformation::scale}}, t, layout);
+    fields("move",
+           {{"x", &Transformation::x, "to the right, in units of the scene"},
+            {"y", &Transformation::y, "upwards, in units of the scene"},
+            {"z", &Transformation::z, "towards the viewer, in units of the scene"}},
+           t, layout);
+    fields("scale", {{"scale", &Transformation::scale, "1 is as in the scene"}}, t, layout);
     t.scale = std::clamp(t.scale, 1e-3, 1e3);
     ImGui::BeginDisabled(before == Transformation{});
     if (next_button("Reset", layout, "reset held")) t = {};
@@ -110,7 +115,9 @@ void background_row(const Scene& scene, View& view, Memory& memory, Layout& layo
 }  // namespace
 
 void view_section(const Facts& facts, View& view, Memory& memory, Layout& layout) {
-    if (!facts.scene || !section("View", memory.open, layout, "view")) return;
+    if (!facts.scene || !section("View", "What the mouse turns, scales and moves, as numbers; the background",
+                                 memory.open, layout, "view"))
+        return;
     background_row(*facts.scene, view, memory, layout);
     wrapped("mouse and numbers change", true);
     target_row(view, memory.hold, layout);

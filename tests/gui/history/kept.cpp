@@ -166,9 +166,9 @@ TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
     press("ctrl+s");
     ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
     settle();
-    press("ctrl+z");
-    ASSERT_EQ(bytes("one.glib"), text);
-    show("two.glib");
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([&](const json&) { return bytes("one.glib") == text; }));
+    show("two.glib");  // before the window has noticed that the file is another one
     show("one.glib");
     EXPECT_EQ(red(), slid) << "it differed from the file";
     press("ctrl+y");
@@ -205,6 +205,27 @@ TEST_F(Past, ASceneIsRescuedFromARenamedFolder) {
     EXPECT_EQ(state()["errors"], 0);
     EXPECT_EQ(red(), slid);
     EXPECT_EQ(state()["failure"], "");
+}
+
+TEST_F(Past, ADeletedSceneIsWrittenAgainUnderItsOwnName) {
+    open("one.glib");
+    const std::string text = bytes("one.glib");
+    slide(.75);
+    const double slid = red();
+    std::filesystem::remove(file("one.glib"));
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    press("ctrl+s");
+    EXPECT_EQ(state()["failure"].get<std::string>().find("not saved: one.glib is gone"), 0U) << state()["failure"];
+    click("failure.save as");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    press("Return");
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0 && s["stale"] == false; }));
+    settle();
+    EXPECT_NE(bytes("one.glib"), "");
+    EXPECT_NE(bytes("one.glib"), text) << "with the values as they are";
+    EXPECT_EQ(red(), slid);
+    EXPECT_EQ(state()["failure"], "");
+    EXPECT_EQ(title().find("\u2022"), std::string::npos) << "everything is saved";
 }
 
 TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {

@@ -62,7 +62,8 @@ bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t pictur
 void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
     pixels_->inspect(*shown.runtime, frame(shown, stand), x, y, radius, found_);
     facts_.inspection = &found_;
-    facts_.at = fmt::format("pixel {}, {}{}{}", found_.x, found_.y, half_.empty() ? "" : ", ", half_);
+    facts_.at = fmt::format("pixel {}, {}", found_.x, found_.y);
+    facts_.half = half_;
     facts_.statement.clear();
     facts_.place.clear();
     if (found_.draw >= shown.scene().draws.size()) return;

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 
 namespace snell {
 
@@ -14,6 +18,36 @@ constexpr const char *opened = "opened", *before_edit = "edit";
 
 // The right half if none was chosen yet.
 std::string usual(const Scene& scene) { return std::string(scene.ladders.empty() ? state_saved : state_reference); }
+
+// Its texts are those of an earlier time.
+bool is_earlier(const std::string& name) { return name == opened || name == before_edit; }
+
+std::map<std::string, std::string_view> texts_of(const Sources& sources) {
+    std::map<std::string, std::string_view> texts;
+    for (FileId file = 0; file < sources.size(); ++file)
+        texts.insert_or_assign(std::string(sources.name(file)), sources.text(file));
+    return texts;
+}
+
+// The names, without their folders, of the files that only one of them has, or with another text.
+std::vector<std::string> differing_files(const Sources& a, const Sources& b) {
+    const auto left = texts_of(a), right = texts_of(b);
+    std::set<std::string> names;
+    const auto add = [&](const auto& texts, const auto& others) {
+        for (const auto& [name, text] : texts)
+            if (const auto other = others.find(name); other == others.end() || other->second != text)
+                names.insert(utf8::printable(name.substr(name.rfind('/') + 1)));
+    };
+    add(left, right);
+    add(right, left);
+    return {names.begin(), names.end()};
+}
+
+// "paint.frag as it was".
+std::string as_it_was(const std::vector<std::string>& files) {
+    if (files.empty()) return {};
+    return files.size() == 1 ? files[0] + " as it was" : fmt::format("{} files as they were", files.size());
+}
 
 std::string shown_name(const std::string& name) {
     if (name == state_saved) return "as saved";
@@ -54,6 +88,8 @@ void StatesView::reread_snapshots() {
     for (Half& half : halves_)
         if (half.name.starts_with(state_snapshot)) half.revision = 0;
 }
+
+std::string StatesView::text(bool right) const { return shown_name(halves_[right ? 1 : 0].name); }
 
 bool StatesView::with_reference() const { return halves_[0].name == state_now && halves_[1].name == state_reference; }
 
@@ -106,6 +142,14 @@ std::string StatesView::set_values(Half& half, Document& scene) {
     return misfit;
 }
 
+void StatesView::compare_texts(Document& scene) {
+    const std::pair now{std::max(halves_[0].revision, halves_[1].revision), showings_};
+    if (std::exchange(compared_, now) == now) return;
+    other_texts_.clear();
+    if (ranges::none_of(halves_, [](const Half& half) { return is_earlier(half.name) && half.document; })) return;
+    other_texts_ = differing_files(of(halves_[0], scene).sources, of(halves_[1], scene).sources);
+}
+
 const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier, const std::array<bool, 10>& snapshots,
                                         const std::string& found) {
     if (!active_) return nullptr;
@@ -123,19 +167,24 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
     if (!scene.scene().ladders.empty()) offer(std::string(state_reference));
     for (const Ladder& ladder : scene.scene().ladders)
         for (const std::string& rung : ladder.rungs) offer(fmt::format("{}={}", ladder.name, rung));
+    const auto slider = ranges::find_if(scene.controls.items, [](const Control& control) {
+        return control.active && control.listed && control.widget == Widget::slider && control.value.size() == 1;
+    });
+    if (slider != scene.controls.items.end())
+        facts_.example = fmt::format("values, such as {}={:.4g}", slider->name, slider->max);
     const auto setup = [&](Half& half) {
         const Document& document = of(half, scene);
         return setup_of(document.scene(), document.controls);
     };
     const StateDifference differ = difference(setup(halves_[0]), setup(halves_[1]));
-    // States of other texts may differ in these.
-    const bool same =
-        differ.left.empty() && halves_[0].name != halves_[1].name && ranges::all_of(halves_, [](const Half& half) {
-            return half.error.empty() && half.name != opened && half.name != before_edit;
-        });
+    compare_texts(scene);
+    const bool same = differ.left.empty() && other_texts_.empty() && halves_[0].name != halves_[1].name &&
+                      ranges::all_of(halves_, [](const Half& half) { return half.error.empty(); });
     for (const std::size_t i : {0, 1}) {
         const Half& half = halves_[i];
-        const std::string& values = i == 0 ? differ.left : differ.right;
+        std::string values = i == 0 ? differ.left : differ.right;
+        if (is_earlier(half.name) && !other_texts_.empty())
+            values += (values.empty() ? "" : ", ") + as_it_was(other_texts_);
         ui::StateFacts::Side& side = facts_.sides[i];
         side.name = half.name;
         const bool settings = half.name.find('=') != std::string::npos;  // the values say it already

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "src/app/open/states.h"
 #include "src/document/document.h"
@@ -30,6 +32,8 @@ public:
     // Whether there is a picture of that half: there is none of a state that could never be made. left() and right()
     // are the scene's document then.
     bool shows(bool right) const { return halves_[right ? 1 : 0].shows(); }
+    // What that half is called.
+    std::string text(bool right) const;
     bool active() const { return active_; }
     // True if the right half is the reference and the left one the scene: what Refinement compares by itself.
     bool with_reference() const;
@@ -57,11 +61,15 @@ private:
     Half made(const std::string& name, Document& scene, const Earlier& earlier) const;
     // Returns why a value does not fit, or "".
     static std::string set_values(Half& half, Document& scene);
+    // The files whose texts differ between the halves, as far as they are of another time.
+    void compare_texts(Document& scene);
 
     gl::Caps caps_;
     bool active_ = false;
     std::array<Half, 2> halves_;
     std::uint64_t showings_ = 0;
+    std::pair<std::uint64_t, std::uint64_t> compared_;  // the revision and the showing
+    std::vector<std::string> other_texts_;              // see compare_texts()
     ui::StateFacts facts_;
 };
 

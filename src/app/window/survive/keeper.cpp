@@ -20,20 +20,18 @@ namespace {
 
 std::string short_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-// Names the files of the scene's folder alone.
-std::string without_folder(std::string text, const std::string& scene) {
-    const std::string folder = std::filesystem::path(scene).parent_path().string() + "/";
-    for (std::size_t at = 0; folder.size() > 1 && (at = text.find(folder, at)) != std::string::npos;)
-        text.erase(at, folder.size());
-    return text;
-}
-
-std::string restore(int number, Document& document) {
+void restore(int number, Document& document, ui::Memory& memory) {
     const Restored restored = restore_snapshot(number, document);
-    if (!restored.error.empty()) return restored.error;
+    if (!restored.error.empty()) {
+        const bool none = restored.error.starts_with("there is no snapshot");
+        memory.failure = {restored.error + (none ? fmt::format(". Ctrl+{} stores one", number) : ""),
+                          ui::Failure::Remedy::snapshot};
+        return;
+    }
     const std::string lost =
         restored.lost == 0 ? "" : fmt::format("; {} left out: not in this scene", counted(restored.lost, "value"));
-    return fmt::format("snapshot {}{}", number, lost);
+    if (memory.failure.remedy == ui::Failure::Remedy::snapshot) memory.failure = {};
+    memory.notice = fmt::format("snapshot {}{}", number, lost);
 }
 
 void save_as(const Document& document, ui::Memory& memory, Keeper::Served& served) {
@@ -63,16 +61,15 @@ void Keeper::tell(ui::Facts& facts, const Document* document) {
 Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
                              ui::Memory& memory) {
     Served served;
-    std::string& notice = memory.notice;
     if (requests.save) save(document, memory, served);
     if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
     if (requests.save_as_now) save_as(document, memory, served);
-    if (requests.restore_snapshot > 0) notice = restore(requests.restore_snapshot, document);
+    if (requests.restore_snapshot > 0) restore(requests.restore_snapshot, document, memory);
     if (requests.store_snapshot > 0) store(requests.store_snapshot, document, memory, served);
     if (requests.copy_command) {
         const std::string command = render_command(document, picture);
         window.set_clipboard(command);
-        notice = "copied: " + command;
+        memory.notice = "copied: " + command;
     }
     return served;
 }
@@ -85,10 +82,9 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
         std::error_code unknown;
         const bool there = std::filesystem::exists(document.path, unknown);
         using Remedy = ui::Failure::Remedy;
-        memory.failure = {"not saved: " + without_folder(std::move(saved.error), document.path),
-                          !there    ? Remedy::save_as
-                          : changed ? Remedy::reload
-                                    : Remedy::save};
+        memory.failure = {"not saved: " + saved.error, !there    ? Remedy::save_as
+                                                       : changed ? Remedy::reload
+                                                                 : Remedy::save};
         return;
     }
     memory.failure = {};
@@ -99,7 +95,9 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
         notice += " " + short_name(file.path);
         served.what += " " + short_name(file.path);
     }
-    for (const Unwritten& value : saved.unwritten) notice += fmt::format("\nnot {}: {}", value.name, value.reason);
+    for (const Unwritten& value : saved.unwritten)
+        memory.failure.text +=
+            fmt::format("{}{}: {}", memory.failure.text.empty() ? "not saved: " : "\n", value.name, value.reason);
     served.files = std::move(saved.files);
 }
 
@@ -108,9 +106,10 @@ void Keeper::store(int number, const Document& document, ui::Memory& memory, Ser
     const std::string before = content::whole_file(file), error = store_snapshot(number, document);
     look_again();
     if (!error.empty()) {
-        memory.failure = {fmt::format("snapshot {} is not in {}: {}", number, short_name(file), error)};
+        memory.failure = {fmt::format("snapshot {} is not stored: {}", number, error), ui::Failure::Remedy::snapshot};
         return;
     }
+    if (memory.failure.remedy == ui::Failure::Remedy::snapshot) memory.failure = {};
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
     memory.notice = fmt::format("snapshot {} is in {}", number, short_name(file));
