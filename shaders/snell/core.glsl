@@ -9,9 +9,10 @@
 const float SNELL_PI = 3.14159265358979;
 const float SNELL_EPSILON = 1.1920929e-7;  // of a float: 1 + it is the next number after 1
 
-// v divided by its largest component m, in two steps where 1 / m is so small that GPUs take it for 0.
+// v divided by its largest component m, in two steps where 1 / m is so small that GPUs take it for 0. s is 1e-30 above
+// 1e30, and else 1: a choice between two constants would cost each vector two calls that hide them from compilers.
 vec3 snellByLargest(vec3 v, float m) {
-    float s = (m > 1.0e30) ? 1.0e-30 : 1.0;
+    float s = max(step(m, 1.0e30), 1.0e-30);
     return v * s / (m * s);
 }
 

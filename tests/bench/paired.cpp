@@ -1,5 +1,6 @@
 // What snell costs beside a program that was written for one scene alone:
 //     room_pairs [--rounds N] [--json FILE] [--shader-runner FILE]   times, in rounds in which everybody takes part
+//     room_pairs [--rounds N] [--json FILE] --only stages     those of geometry and tessellation stages alone
 //     room_pairs --count snell|by-hand                        for callgrind: one frame without OpenGL
 // Run in the repository's folder, whose build's programs it finds beside itself.
 #include <malloc.h>
@@ -60,6 +61,7 @@ struct Settings {
     int rounds = 25;
     std::string json, bin;
     std::string shader_runner;  // piglit's; empty: not there
+    bool stages_only = false;
 };
 
 // Where Debian's package piglit has it.
@@ -145,40 +147,80 @@ Row compare_first_pictures(const Settings& settings) {
     return compare_processes(settings, snell, by_hand, "first picture 512x512, whole process", 1.08);
 }
 
-// Each scene at 400 x 400: programs for its values beside programs for any.
-std::vector<Row> compare_scenes(const Settings& settings) {
-    std::vector<std::string> scenes;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator("scenes"))
-        if (entry.path().extension() == ".glib") scenes.push_back(entry.path().string());
-    std::ranges::sort(scenes);
-    std::string error;
-    const auto context = HeadlessContext::make({}, error);
-    if (!context) throw NoGraphics(error);
-    const gl::Caps caps = gl::query_caps();
-    const gl::Target target = gl::make_target(400, 400, 1);
-    std::vector<Row> rows;
-    for (const std::string& scene : scenes) {
-        const auto values = open_document(scene, caps, nullptr, nullptr, for_values());
-        const auto any = open_document(scene, caps);
-        if (!values->runtime || values->runtime->counters().specialised == 0) continue;
-        const View view;
-        const auto draw = [&](Document& document) {
+// So many frames of two documents in turns; the view turns by so many degrees from one to the next.
+Row compare_documents(const Settings& settings, Document& first, Document& second, const gl::Target& target, int count,
+                      double turn, std::string what, double limit) {
+    View view;
+    const auto timed = [&](Document& document) {
+        const auto draw = [&] {
+            view.scene.rotate_y += turn;
             document.runtime->draw({0, view, document.controls},
                                    {target.framebuffer.get(), target.width, target.height});
             gl::finish();
         };
-        const auto timed = [&](Document& document) {
-            draw(document);
-            return measure([&] { draw(document); });
-        };
-        timed(*values), timed(*any);
-        Pairs pairs;
-        for (int round = 0; round < settings.rounds; ++round) {
-            Times first = timed(round % 2 ? *any : *values), second = timed(round % 2 ? *values : *any);
-            if (round % 2) std::swap(first, second);
-            pairs.add(first, second);
+        draw();
+        Times times = measure([&] {
+            for (int i = 0; i < count; ++i) draw();
+        });
+        return Times{times.cpu / count, times.wall / count};
+    };
+    timed(first), timed(second);
+    Pairs pairs;
+    for (int round = 0; round < settings.rounds; ++round) {
+        Times one = timed(round % 2 ? second : first), other = timed(round % 2 ? first : second);
+        if (round % 2) std::swap(one, other);
+        pairs.add(one, other);
+    }
+    return pairs.row(std::move(what), limit);
+}
+
+std::vector<std::string> scenes_below(std::initializer_list<const char*> folders) {
+    std::vector<std::string> scenes;
+    for (const char* folder : folders)
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            if (entry.path().extension() == ".glib") scenes.push_back(entry.path().string());
+    std::ranges::sort(scenes);
+    return scenes;
+}
+
+// Each scene at 400 x 400: programs for its values beside programs for any.
+std::vector<Row> compare_scenes(const Settings& settings, const gl::Caps& caps) {
+    const gl::Target target = gl::make_target(400, 400, 1);
+    std::vector<Row> rows;
+    for (const std::string& scene : scenes_below({"scenes"})) {
+        const auto values = open_document(scene, caps, nullptr, nullptr, for_values());
+        const auto any = open_document(scene, caps);
+        if (!values->runtime || values->runtime->counters().specialised == 0) continue;
+        rows.push_back(compare_documents(settings, *values, *any, target, 1, 0,
+                                         std::filesystem::path(scene).stem().string(), 1.03));
+    }
+    return rows;
+}
+
+bool has_stages(const std::string& scene) {
+    std::ifstream file(scene);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    return text.find("\nGeometry ") != text.npos || text.find("\nTessEvaluation ") != text.npos;
+}
+
+// Vertex shaders in the place of geometry and tessellation shaders beside the driver's own stages.
+std::vector<Row> compare_stages(const Settings& settings, const gl::Caps& caps) {
+    gl::Caps without = caps;
+    gl::leave_stages(without);
+    std::vector<Row> rows;
+    for (const std::string& scene : scenes_below({"docs/teaching", "scenes", "templates", "tests/cases"})) {
+        const bool unfinished = scene.find("submissions") != scene.npos || scene.find("handout") != scene.npos;
+        if (unfinished || !has_stages(scene)) continue;
+        const auto emulated = open_document(scene, without, nullptr, nullptr, for_values());
+        const auto native = open_document(scene, caps, nullptr, nullptr, for_values());
+        if (!native->runtime || !emulated->runtime) continue;
+        for (const int side : {48, 512}) {
+            const gl::Target target = gl::make_target(side, side, 1);
+            for (const double turn : {0., 1.})
+                rows.push_back(compare_documents(settings, *emulated, *native, target, side < 100 ? 30 : 4, turn,
+                                                 scene + (turn > 0 ? ", turning, " : ", ") + std::to_string(side),
+                                                 3.5));
         }
-        rows.push_back(pairs.row(std::filesystem::path(scene).stem().string(), 1.03));
     }
     return rows;
 }
@@ -193,16 +235,21 @@ void print(const Row& row) {
 
 void write_rows(std::ofstream& out, const char* table, const std::vector<Row>& rows);
 
-void write_json(const std::string& path, const std::vector<Row>& rows, const std::vector<Row>& scenes,
-                const std::array<Rooms::OwnCost, 2>& own, int difference, int rounds) {
+struct Tables {
+    std::vector<Row> rows, scenes, stages;
+};
+
+void write_json(const std::string& path, const Tables& tables, const std::array<Rooms::OwnCost, 2>& own, int difference,
+                int rounds) {
     std::ofstream out(path);
     out << "{\"rounds\": " << rounds << ", \"largest_difference\": " << difference << ",\n \"own\": {";
     for (std::size_t i = 0; i < own.size(); ++i)
         out << (i ? ", " : "") << (i ? "\"by_hand\"" : "\"snell\"") << ": {\"gl_calls\": " << own[i].calls
             << ", \"microseconds\": " << own[i].time.cpu * 1e3 << "}";
     out << "}";
-    write_rows(out, "rows", rows);
-    write_rows(out, "scenes", scenes);
+    write_rows(out, "rows", tables.rows);
+    write_rows(out, "scenes", tables.scenes);
+    write_rows(out, "stages", tables.stages);
     out << "}\n";
 }
 
@@ -223,34 +270,71 @@ void write_rows(std::ofstream& out, const char* table, const std::vector<Row>& r
     out << "\n]";
 }
 
-int compare(const Settings& settings) {
+double median_of(const std::vector<Row>& rows) {
+    std::vector<double> quotients;
+    for (const Row& row : rows) quotients.push_back(row.cpu.middle);
+    return accuracy::median(quotients);
+}
+
+// Not the middle alone: where the machine is too noisy to tell, nothing is said against it.
+bool holds(const Row& row) {
+    print(row);
+    return row.limit <= 0 || row.cpu.middle <= row.limit || row.cpu.low <= row.limit;
+}
+
+bool all_hold(const std::vector<Row>& rows) {
+    return std::ranges::count(rows, true, holds) == static_cast<std::ptrdiff_t>(rows.size());
+}
+
+// Of the room alone.
+std::vector<Row> compare_rooms(const Settings& settings, Rooms& rooms) {
     std::vector<Row> rows;
-    Rooms rooms(".");
-    rooms.resize(512, 512);
-    const int difference = largest_difference(rooms);
     compare_frames(rooms, settings, 512, 512, 4, .98, rows);
     rooms.resize(1920, 1080);
     compare_frames(rooms, settings, 1920, 1080, 1, .98, rows);
     rows.push_back(compare_first_pictures(settings));
     if (!settings.shader_runner.empty()) rows.push_back(compare_trivial(settings));
-    const std::vector<Row> scenes = compare_scenes(settings);
-    const std::array<Rooms::OwnCost, 2> own{rooms.own_cost(Who::snell, 20000), rooms.own_cost(Who::by_hand, 20000)};
-    std::vector<double> quotients;
-    for (const Row& row : scenes) quotients.push_back(row.cpu.middle);
+    return rows;
+}
 
-    bool good = difference <= 1 && accuracy::median(quotients) <= .9;
-    std::printf("the pictures differ by %d of 255 at most\n", difference);
-    const auto judge = [&](const Row& row) {
-        print(row);
-        // Not the middle alone: where the machine is too noisy to tell, nothing is said against it.
-        good = good && (row.limit <= 0 || row.cpu.middle <= row.limit || row.cpu.low <= row.limit);
-    };
-    std::ranges::for_each(rows, judge);
-    std::printf("programs for the values beside programs for any, median %.3f:\n", accuracy::median(quotients));
-    std::ranges::for_each(scenes, judge);
-    std::printf("without OpenGL: %.2f µs and %.0f calls a frame; by hand %.2f µs and %.0f\n", own[0].time.cpu * 1e3,
-                own[0].calls, own[1].time.cpu * 1e3, own[1].calls);
-    if (!settings.json.empty()) write_json(settings.json, rows, scenes, own, difference, settings.rounds);
+// Those with documents, in a context of their own.
+bool compare_documents(const Settings& settings, Tables& tables) {
+    std::string error;
+    const auto context = HeadlessContext::make({}, error);
+    if (!context) throw NoGraphics(error);
+    const gl::Caps caps = gl::query_caps();
+    tables.stages = compare_stages(settings, caps);
+    const double stages = median_of(tables.stages);
+    std::printf("without geometry and tessellation stages beside with them, median %.3f:\n", stages);
+    bool good = all_hold(tables.stages) && stages <= 2;
+    if (settings.stages_only) return good;
+    tables.scenes = compare_scenes(settings, caps);
+    const double scenes = median_of(tables.scenes);
+    std::printf("programs for the values beside programs for any, median %.3f:\n", scenes);
+    return all_hold(tables.scenes) && good && scenes <= .9;
+}
+
+int compare(const Settings& settings) {
+    Tables tables;
+    std::unique_ptr<Rooms> rooms;
+    int difference = 0;
+    bool good = true;
+    if (!settings.stages_only) {
+        rooms = std::make_unique<Rooms>(".");
+        rooms->resize(512, 512);
+        difference = largest_difference(*rooms);
+        tables.rows = compare_rooms(settings, *rooms);
+        std::printf("the pictures differ by %d of 255 at most\n", difference);
+        good = all_hold(tables.rows) && difference <= 1;
+    }
+    good = compare_documents(settings, tables) && good;
+    std::array<Rooms::OwnCost, 2> own;
+    if (rooms) {
+        own = {rooms->own_cost(Who::snell, 20000), rooms->own_cost(Who::by_hand, 20000)};
+        std::printf("without OpenGL: %.2f µs and %.0f calls a frame; by hand %.2f µs and %.0f\n", own[0].time.cpu * 1e3,
+                    own[0].calls, own[1].time.cpu * 1e3, own[1].calls);
+    }
+    if (!settings.json.empty()) write_json(settings.json, tables, own, difference, settings.rounds);
     return good ? 0 : 1;
 }
 
@@ -268,6 +352,7 @@ int run(std::span<char*> arguments) {
         if (name == "--rounds") settings.rounds = std::max(1, std::atoi(value.data()));
         if (name == "--json") settings.json = value;
         if (name == "--shader-runner") settings.shader_runner = value;
+        if (name == "--only") settings.stages_only = value == "stages";
         if (name == "--count") {
             Rooms rooms(".");
             rooms.resize(16, 16);

@@ -92,9 +92,32 @@ def for_values(folder):
            "out.\n\n")
     yield "| scene | for its values | for any | quotient |\n|---|--:|--:|--:|\n"
     for row in data["scenes"]:
-        low, middle, high = row["cpu"]
         yield (f"| {row['what']} | {milliseconds(row['snell_cpu_ms'])} | {milliseconds(row['other_cpu_ms'])} "
-               f"| {middle:.3f} ({low:.3f} to {high:.3f}) |\n")
+               f"| {quotient(row)} |\n")
+    yield "\n"
+
+
+def quotient(row, clock="cpu"):
+    low, middle, high = row[clock]
+    return f"{middle:.3f} ({low:.3f} to {high:.3f})"
+
+
+def without_stages(folder):
+    with open(os.path.join(folder, "pairs.json"), encoding="utf-8") as file:
+        data = json.load(file)
+    table, medians = {}, {}
+    for row in data["stages"]:
+        scene, *turning, side = row["what"].split(", ")
+        table.setdefault(scene, []).append(quotient(row))
+        medians.setdefault(side, []).append(row["cpu"][1])
+    of_all = " and ".join(f"{statistics.median(values):.2f} at {side} x {side}" for side, values in medians.items())
+    yield "## Geometry and tessellation stages that the context lacks\n\n"
+    yield ("Frames for which vertex shaders stand for these stages ([glsl.md](glsl.md#stages-that-the-context-lacks)), beside "
+           f"frames by the driver's stages, in {data['rounds']} rounds. Medians of the quotients of the CPU's time, still and "
+           f"while the view turns; the median of all is {of_all}.\n\n")
+    yield "| scene | 48 x 48 | turning | 512 x 512 | turning |\n|---|--:|--:|--:|--:|\n"
+    for scene, quotients in table.items():
+        yield f"| {scene.removesuffix('.glib')} | {' | '.join(quotients)} |\n"
     yield "\n"
 
 
@@ -109,11 +132,10 @@ def by_hand(folder):
            "driver's included.\n\n")
     yield "| | snell, CPU | by hand, CPU | CPU: quotient | aim | wall: quotient |\n|---|--:|--:|--:|--:|--:|\n"
     for row in data["rows"]:
-        quotients = [f"{v[1]:.3f} ({v[0]:.3f} to {v[2]:.3f})" for v in (row["cpu"], row["wall"])]
         missed = row["limit"] and row["cpu"][0] > row["limit"]
         limit = f"{row['limit']:.2f}{', missed' if missed else ''}" if row["limit"] else ""
         yield (f"| {row['what']} | {milliseconds(row['snell_cpu_ms'])} | {milliseconds(row['other_cpu_ms'])} "
-               f"| {quotients[0]} | {limit} | {quotients[1]} |\n")
+               f"| {quotient(row)} | {limit} | {quotient(row, 'wall')} |\n")
     yield ("\nThe scene has the ball's five numbers on sliders; snell compiles its programs for their values. By hand they are "
            "uniforms, or constants of the shader's text. piglit's shader_runner, which runs shader tests, is the nearest program in "
            "Debian; it writes no file.\n\n")
@@ -155,6 +177,7 @@ def page(folder):
            "question from memory to memory, or setting all pixels once.\n\n")
     yield from by_hand(folder)
     yield from for_values(folder)
+    yield from without_stages(folder)
     for group in ORDER:
         members = {name.split("/", 1)[1]: values for name, values in runs.items() if name.split("/", 1)[0] == group}
         if members:

@@ -106,6 +106,27 @@ TEST_P(StageDetails, NoPerspectiveIsLinearOnTheScreen) {
     EXPECT_EQ(divided.count({255, 0, 0, 255}), 64 * 64 / 2);
 }
 
+// Lines wider than the driver draws are, too.
+TEST_P(StageDetails, NoPerspectiveIsLinearAlongWidenedLines) {
+    caps.max_line_width = 1;
+    write("w.vert",
+          "noperspective out float along; out float deep; out Both { noperspective vec2 list[2]; } both;\n"
+          "void main() {\n    along = deep = gl_Vertex.x * .5 + .5; both.list[1] = vec2(along);\n"
+          "    float w = 2. + gl_Vertex.x; gl_Position = vec4(gl_Vertex.xyz * w, w);\n}\n");
+    write("w.frag",
+          "noperspective in float along; in float deep; in Both { noperspective vec2 list[2]; } both;\n"
+          "void main() {\n    float x = gl_FragCoord.x / 64.;\n"
+          "    bool fits = abs(along - x) < .001 && distance(both.list[1], vec2(x)) < .001;\n"
+          "    gl_FragColor = vec4(fits, abs(deep - x) > .1, 0., 1.);\n}\n");
+    const auto document = open(
+        "Vertex w.vert\nFragment w.frag\nLineWidth 9\nProgram P\nglBegin gl_lines\nglVertex -1 0 0\nglVertex 1 0 "
+        "0\nglEnd\n");
+    expect_clean(*document);
+    const Picture line = draw(*document);
+    EXPECT_EQ(line.count({255, 0, 0, 255}) + line.count({255, 255, 0, 255}), 9 * 64);
+    EXPECT_GT(line.count({255, 255, 0, 255}), 9 * 30) << "the other varying has perspective";
+}
+
 // OpenGL ES 3.2 has no sizes of points behind these stages, and no patches without a control shader.
 TEST_P(StageDetails, PointsHaveTheirSize) {
     const std::string points = "PointSize 8\nglBegin gl_points\nglVertex -.5 0 0\nglVertex .5 0 0\nglEnd\n";

@@ -265,16 +265,56 @@ TEST_F(Stages, CountForEachFaceOfAMesh) {
     });
 }
 
-TEST_F(Stages, WhatTheyCannotDoIsSaidAtItsPlace) {
-    folder.write("s.geom",
-                 "#version 400\nlayout(points) in; layout(points, max_vertices = 1) out;\n"
-                 "void main() { gl_Layer = 1; EmitVertex(); }\n");
-    gl::leave_stages(caps);
-    const auto document = open("Geometry s.geom\nProgram P\nglBegin gl_points\nglVertex 0 0 0\nglEnd\n");
-    ASSERT_TRUE(has(*document, "unsupported-stage"));
-    const auto& said = document->diagnostics.items();
-    const Span span = ranges::find(said, "unsupported-stage", &Diagnostic::code)->span;
-    EXPECT_EQ(document->sources.position(span.file, span.begin).line, 3);
+// One error each. `es32`: also by the stages of OpenGL ES 3.2.
+TEST_F(StagesEs, WhatTheyCannotDoIsSaidAtItsPlace) {
+    struct Refused {
+        const char *geometry, *fragment, *file, *code, *said;
+        int line;
+        bool es32;
+    };
+    const std::string emits = "gl_Position = gl_in[0].gl_Position; EmitVertex(); }\n";
+    const char* const red = "void main() { gl_FragColor = vec4(1.); }";
+    const Refused all[] = {
+        {"void main() {\n    gl_Layer = 1; ", red, "s.geom", "unsupported-stage", "'gl_Layer' is not there", 4, false},
+        {"void main() {\n    EmitStreamVertex(1); ", red, "s.geom", "unsupported-stage",
+         "no streams of vertices but the first", 4, true},
+        {"void main() {\n    gl_ClipDistance[0] = 1.; ", red, "s.geom", "unsupported-variable", "no 'gl_ClipDistance'",
+         4, true},
+        {"out float many[2][3];\nvoid main() { many[0][0] = 1.; ",
+         "\nin float many[2][3];\nvoid main() { gl_FragColor = vec4(many[0][0]); }", "s.frag", "unsupported-stage",
+         "'many' is of a type", 3, false},
+        {"in vec2 two[][2]; out vec2 one;\nvoid main() { one = two[0][1]; ",
+         "in vec2 one; void main() { gl_FragColor = one.xyxy; }", "s.geom", "unsupported-stage", "'two' is of a type",
+         3, false},
+        {nullptr, "\nvoid main() {\n    gl_FragColor = vec4(gl_PrimitiveID);\n}\n", "s.frag", "unsupported-variable",
+         "no 'gl_PrimitiveID' in fragment shaders", 4, false}};
+    const gl::Caps whole = caps;
+    for (const Refused& refused : all) {
+        SCOPED_TRACE(refused.said);
+        const std::string version = "#version 430 compatibility\n";
+        folder.write("s.vert", version +
+                                   "out vec2 two[2];\nvoid main() { two[0] = two[1] = gl_Vertex.xy; gl_Position = "
+                                   "gl_Vertex; }\n");
+        folder.write("s.frag", version + refused.fragment);
+        std::string scene = "Vertex s.vert\nFragment s.frag\n";
+        if (refused.geometry) {
+            folder.write("s.geom", version + "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n" +
+                                       refused.geometry + emits);
+            scene += "Geometry s.geom\n";
+        }
+        scene += "Program P\nQuadXY\n";
+        caps = whole;
+        EXPECT_TRUE(!refused.es32 || has(*open(scene), refused.code));
+        gl::leave_stages(caps);
+        const auto document = open(scene);
+        const auto& said = document->diagnostics.items();
+        const auto found = ranges::find(said, refused.code, &Diagnostic::code);
+        ASSERT_NE(found, said.end());
+        EXPECT_NE(found->message.find(refused.said), std::string::npos) << found->message;
+        EXPECT_TRUE(document->sources.name(found->span.file).ends_with(refused.file));
+        EXPECT_EQ(document->sources.position(found->span.file, found->span.begin).line, refused.line);
+        EXPECT_EQ(document->diagnostics.errors(), 1U);
+    }
 }
 
 // By the tables of the OpenGL specification (section 10.1).

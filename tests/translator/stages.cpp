@@ -251,8 +251,11 @@ TEST(GlslStages, WideLines) {
                 options.flat_color = flat;
                 Translated t;
                 translate_texts(t, texts, options);
-                ASSERT_EQ(t.translation.stages.size(), 3U);
-                EXPECT_EQ(t.translation.stages[1].stage, Stage::geometry);
+                // OpenGL ES passes no structures of structures: vertex shaders do what this stage does.
+                const bool emulated = target.es && texts.size() == rich.size();
+                EXPECT_EQ(t.translation.geometry.has_value(), emulated);
+                ASSERT_EQ(t.translation.stages.size(), emulated ? 2U : 3U);
+                EXPECT_EQ(t.translation.stages[1].stage, emulated ? Stage::fragment : Stage::geometry);
                 expect_accepted(t.translation, target.version == 450);
             }
 }

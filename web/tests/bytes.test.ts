@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { EditorState } from '@codemirror/state';
 import { isText, read, unwritable, usualEnd, write } from '../page/editor/bytes.ts';
-import { bytesOf, isEdited, makeDocument } from '../page/editor/documents.ts';
+import { bytesOf, isEdited, makeDocument, textFiles } from '../page/editor/documents.ts';
 import { columnOf, offsetOf, rangeOf } from '../page/editor/places.ts';
 
 const utf8 = (text: string) => new TextEncoder().encode(text);
@@ -112,4 +112,17 @@ test('a mark is seen: it has a character where the line has one', () => {
     assert.deepEqual(at(3, 2), { from: 4, to: 6 });
     assert.deepEqual(at(99, 99), { from: 4, to: 6 });
     assert.deepEqual(at(0, 0), { from: 0, to: 1 });
+});
+
+test('of a folder with many scenes, the first tabs are the texts of the one that is open', () => {
+    const texts = {
+        'class/ann/ball.frag': '', 'class/ann/ball.glib': 'Sphere 1\n', 'class/ann/notes.txt': '', 'class/shared/light.frag': '',
+        'class/bob/ball.frag': '', 'class/bob/ball.glib': 'Vertex ../shared/all.vert\nFragment ball.frag\n', 'class/bob/other.glib': '',
+        'class/shared/all.vert': '',
+    };
+    const files = new Map(Object.entries(texts).map(([name, text]) => [name, utf8(text || 'x\n')]));
+    assert.deepEqual(textFiles('class/bob/ball.glib', files), [
+        'class/bob/ball.glib', 'class/bob/ball.frag', 'class/shared/all.vert', 'class/bob/other.glib', 'class/ann/ball.glib',
+        'class/ann/ball.frag', 'class/shared/light.frag', 'class/ann/notes.txt',
+    ]);
 });

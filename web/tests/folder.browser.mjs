@@ -47,6 +47,18 @@ async function openFolder() {
     await page.waitForSelector('.editor-dialog[open] .thumb canvas');
 }
 
+test('a folder that the browser does not give is said', async () => {
+    const other = await tab(browser);
+    await other.page.evaluateOnNewDocument(() => {
+        window.showDirectoryPicker = () => Promise.reject(new DOMException('The user aborted a request.', 'AbortError'));
+    });
+    await other.page.goto(origin);
+    await press(other.page, 'Open folder', '.editor-welcome');
+    await until(other.page, () => document.querySelector('.message').textContent === 'No folder was opened.');
+    assert.deepEqual(other.said, []);
+    await other.page.close();
+});
+
 test('a folder lists its scenes with pictures, and one opens', async () => {
     await openFolder();
     await until(page, () => document.querySelectorAll('.thumb canvas').length === 2);
@@ -179,6 +191,50 @@ test('the start page lists the folder that was open, and opens it', async () => 
     await press(other.page, 'room', '.editor-welcome');
     await drawn(other.page);
     assert.equal(await other.page.title(), 'a');
+    assert.deepEqual(other.said, []);
+    await other.page.close();
+});
+
+test('edits survive a crash of the tab', async () => {
+    await openText(page);
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await page.keyboard.type('# before the crash ');
+    await shown('# before the crash');
+    await new Promise((resolve) => setTimeout(resolve, 800));
+    const crashed = new Promise((resolve) => page.once('error', resolve));
+    const devtools = await page.createCDPSession();
+    devtools.send('Page.crash').catch(() => undefined);
+    await crashed;
+    const other = await tab(browser);
+    await other.page.goto(origin);
+    await other.page.waitForSelector('.editor-welcome h3');
+    await press(other.page, 'room', '.editor-welcome');
+    await other.page.waitForSelector('.editor-dialog[open]');
+    await press(other.page, 'Take the edits', '.editor-dialog[open]');
+    await openText(other.page);
+    await until(other.page, () => /# before the crash/.test(document.querySelector('.editor-code').shadowRoot.textContent));
+    await other.page.close();
+});
+
+test('where the browser keeps nothing, the first edit says so, and the page asks before it is left', async () => {
+    const other = await tab(browser);
+    const asked = [];
+    other.page.on('dialog', (dialog) => asked.push(dialog.type()));
+    await other.page.evaluateOnNewDocument(() => {
+        IDBFactory.prototype.open = () => {
+            throw new DOMException('not in this window', 'SecurityError');
+        };
+    });
+    await other.page.goto(origin);
+    await other.page.waitForSelector('.editor-welcome h3');
+    await press(other.page, 'New scene', '.editor-welcome');
+    await drawn(other.page);
+    await openText(other.page);
+    await (await other.page.$('.editor-code >>> .cm-content')).click();
+    await other.page.keyboard.type('# lost ');
+    await until(other.page, () => /keeps no drafts here/.test(document.querySelector('.message').textContent));
+    await other.page.reload();
+    assert.deepEqual(asked, ['beforeunload']);
     assert.deepEqual(other.said, []);
     await other.page.close();
 });

@@ -115,24 +115,23 @@ std::string instance_of(const Unit& u, const Block& b) {
 }
 
 // What neither WebGL 2 nor these forms have.
-constexpr std::string_view refused_names[] = {"gl_Layer",        "gl_ViewportIndex", "gl_ClipDistance",
-                                              "gl_CullDistance", "EmitStreamVertex", "EndStreamPrimitive"};
+constexpr std::string_view refused_names[] = {"gl_Layer", "gl_ViewportIndex", "gl_ClipDistance", "gl_CullDistance"};
 
-// The first layer, viewport or stream is what there is without them: `gl_Layer = 0`, `EmitStreamVertex(0)`.
+// The first layer or viewport is what there is without them: `gl_Layer = 0`.
 bool is_first(const Unit& u, int i) {
-    return (u.at(i + 1).text == "=" || u.at(i + 1).text == "(") && u.at(i + 2).text == "0" &&
-           (u.at(i + 3).text == ";" || u.at(i + 3).text == ")");
+    return u.at(i + 1).text == "=" && u.at(i + 2).text == "0" && u.at(i + 3).text == ";";
 }
 
 // At its place in the author's text.
 bool refuses(const Program& program) {
     for (const Unit& u : program.units)
         for (int i = 0; i < static_cast<int>(u.tokens.size()) && u.stage != Stage::fragment; ++i)
-            if (ranges::find(refused_names, u.at(i).text) != std::end(refused_names) && !is_first(u, i)) {
+            if (ranges::find(refused_names, u.now(i)) != std::end(refused_names) && !is_first(u, i)) {
                 program.diagnostics.error(
                     "unsupported-stage", u.span(i),
-                    "'" + std::string(u.at(i).text) + "' needs geometry shaders, which this OpenGL does not have",
-                    "without them, a geometry shader can neither choose layers nor streams nor clip");
+                    "'" + std::string(u.at(i).text) +
+                        "' is not there where vertex shaders stand for other stages, as with this OpenGL",
+                    "without these stages, a shader can neither choose layers nor cull");
                 return true;
             }
     return false;
@@ -157,6 +156,14 @@ StageOutput* Fusion::stage(Stage which) {
 void Fusion::fail(std::string message) {
     if (ok_) program_.diagnostics.error("unsupported-stage", reference_, std::move(message));
     ok_ = false;
+}
+
+void Fusion::cannot_pass(Stage which, std::string_view name) {
+    const Unit& u = *program_.find(which);
+    const auto token = ranges::find(u.tokens, name, &Token::text);
+    if (token != u.tokens.end()) reference_ = u.span(static_cast<int>(token - u.tokens.begin()));
+    fail("'" + std::string(name) +
+         "' is of a type that cannot be handed on where vertex shaders stand for other stages");
 }
 
 Unit Fusion::read_again(const StageOutput& from, bool apart, std::size_t first_file) {
@@ -391,6 +398,7 @@ void Fusion::take_inputs() {
         if (!from)
             return fail("an input of the " + std::string(stage_name(second_.stage)) + " shader, '" + input.key +
                         "', has no output to match");
+        if (input.type.dims > 1) return cannot_pass(second_.stage, input.key);
         copies_ += "        " + element_of(input.name, "snell_corner") + " = " + from->name + ";\n";
     }
     make_plain(Storage::in, corners_, "snellI");

@@ -44,6 +44,8 @@ protected:
 
     StageOutput* stage(Stage which);
     void fail(std::string message);
+    // Where the author's text of the stage first has the name.
+    void cannot_pass(Stage which, std::string_view name);
 
     // Reads what was translated, with macros expanded: those of one stage must not meet the other. `apart`: as a part
     // of one text, whose source strings begin with `first_file`.

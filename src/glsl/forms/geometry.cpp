@@ -25,7 +25,8 @@ public:
     GeometryForm(Program& program, Translation& translation) : Fusion(program, translation) {}
 
     void run() {
-        reference_ = program_.find(Stage::geometry)->reference;
+        const Unit* const own = program_.find(Stage::geometry);  // null: it is snell's
+        reference_ = (own ? *own : program_.units.front()).reference;
         read(*stage(Stage::vertex), stage(Stage::geometry));
         fragment_ = read_again(*stage(Stage::fragment), false);
         if (!ok_ || !read_layouts()) return;
@@ -160,7 +161,7 @@ private:
             passed_.push_back({"snell_size", "gl_PointSize", make_type(Base::real)});
         for (const Passed& passed : passed_)
             if (!add_numbers(second_, passed.type, passed.from, passed.to, numbers))
-                fail("'" + passed.from + "' is of a type that cannot be handed on without geometry shaders");
+                cannot_pass(Stage::fragment, passed.to);
         for (const bool integral : {false, true}) {
             int at = 0;
             for (const Number& n : numbers) {

@@ -134,7 +134,6 @@ private:
         const Type& type = pair.out->type;
         const bool whole = type.integral() || type.base == Base::dreal;
         std::string how(whole ? std::string_view("flat") : pair.in->qualifiers.interpolation);
-        if (es_ && how == "noperspective") how.clear();
         if (!how.empty()) how += ' ';
         if (!pair.in->qualifiers.auxiliary.empty()) how += std::string(pair.in->qualifiers.auxiliary) + " ";
         members_ += " " + how + declaration(type, in);

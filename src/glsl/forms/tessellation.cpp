@@ -301,9 +301,7 @@ private:
         return found;
     }
 
-    void cannot_pass(const std::string& name) {
-        fail("'" + name + "' is of a type that cannot be handed on without tessellation shaders");
-    }
+    void cannot_pass(std::string_view name) { Fusion::cannot_pass(Stage::tess_evaluation, name); }
 
     void take_input(Global& g) {
         Unit& u = evaluation_;
@@ -312,14 +310,14 @@ private:
         if (!from) return;
         std::vector<Number> numbers;
         if (g.qualifiers.auxiliary == "patch") {
-            if (!add_numbers(u, g.type, from->name, name, numbers)) return cannot_pass(name);
+            if (!add_numbers(u, g.type, from->name, name, numbers)) return cannot_pass(g.name);
             for (const Number& n : numbers) start_ += " " + n.to + " = " + whole_.add(n, patch_texel) + ";";
             return make_plain(u, g, 0);
         }
         Type type = g.type;
         type.dims = 0;
         if (g.type.dims != 1 || !add_numbers(u, type, element_of(from->name, "@V"), "snell_v", numbers))
-            return cannot_pass(name);
+            return cannot_pass(g.name);
         const std::string function = "snell_of_" + name;
         const int last = u.groups[static_cast<std::size_t>(g.group)].last;
         functions_.emplace_back(last, " " + reader(own_type_name(u, type), function, numbers));
@@ -345,7 +343,7 @@ private:
                 to = patch ? (b.instance.empty() ? member : std::string(b.instance) + "." + member)
                            : "snell_v." + member;
             if (!add_numbers(u, m.type, patch ? from->name : element_of(from->name, "@V"), to, numbers))
-                return cannot_pass(member);
+                return cannot_pass(m.name);
         }
         make_plain(u, b, "snellI", 0);
         if (patch) {

@@ -81,17 +81,23 @@ void fit_inputs(Program& program, Unit& u) {
     }
 }
 
-// The first stream and the first viewport are the ones that are drawn, and what OpenGL ES has.
-void first_stream(Unit& u) {
+// The first stream and the first viewport are the ones that are drawn, and all that OpenGL ES has.
+void first_stream(const Program& program, Unit& u) {
     for (int i = 0; i + 2 < static_cast<int>(u.tokens.size()); ++i)
         if (u.at(i).text == "gl_ViewportIndex" && u.at(i + 1).text == "=" && u.at(i + 2).text == "0") u.erase(i, i + 2);
     for (int i = 0; i + 3 < static_cast<int>(u.tokens.size()); ++i)
         for (const auto& [name, plain] :
              {std::pair("EmitStreamVertex", "EmitVertex"), std::pair("EndStreamPrimitive", "EndPrimitive")}) {
-            if (u.at(i).text != name || u.at(i + 1).text != "(" || u.at(i + 2).text != "0" || u.at(i + 3).text != ")")
-                continue;
-            u.replace(i, plain);
-            u.replace(i + 2, "");
+            if (u.at(i).text != name || u.at(i + 1).text != "(") continue;
+            if (u.at(i + 2).text == "0" && u.at(i + 3).text == ")") {
+                u.replace(i, plain);
+                u.replace(i + 2, "");
+            } else if (program.target().es || program.options.without_stages) {
+                program.diagnostics.error(
+                    "unsupported-stage", u.span(i),
+                    "this OpenGL has no streams of vertices but the first one, as in '" + std::string(name) + "(0)'",
+                    "what goes to another stream is not drawn: leave it out");
+            }
         }
 }
 
@@ -136,7 +142,7 @@ void complete_geometry(Program& program, Unit& u) {
         u.layouts.push_back(made);
     }
     fit_inputs(program, u);
-    first_stream(u);
+    first_stream(program, u);
     if (!has_output) u.header += "layout(" + output_primitive(program.options) + ") out;\n";
     if (!has_count) u.header += "layout(max_vertices = " + std::to_string(most_vertices(u)) + ") out;\n";
 }

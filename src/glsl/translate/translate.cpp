@@ -99,18 +99,35 @@ void give_point_size(Unit& vertex) {
 
 namespace {
 
-// OpenGL ES before 3.2 has the vertex and the fragment stage only, and no texture buffers.
+// Says where a stage has the name first, if it does.
+void refuse(const Program& program, const Unit& u, std::string_view name, const char* code, std::string message,
+            std::string help) {
+    const auto found = ranges::find(u.tokens, name, &Token::text);
+    if (found == u.tokens.end()) return;
+    const Span span = u.span(static_cast<int>(found - u.tokens.begin()));
+    program.diagnostics.error(code, span, std::move(message), std::move(help));
+}
+
+// OpenGL ES does not clip by distances, and before 3.2 it has the vertex and the fragment stage only, and no texture
+// buffers.
 void refuse_late_features(const Program& program) {
-    if (!program.target().es || program.target().version >= 320) return;
+    if (!program.target().es) return;
+    const bool plain = ranges::none_of(
+        program.units, [](const Unit& u) { return u.stage == Stage::geometry || u.stage == Stage::tess_evaluation; });
     for (const Unit& u : program.units) {
-        const auto buffer = ranges::find_if(u.tokens, [](const Token& t) { return t.text == "samplerBuffer"; });
-        if (buffer != u.tokens.end())
-            program.diagnostics.error("unsupported-type", u.span(static_cast<int>(buffer - u.tokens.begin())),
-                                      "OpenGL ES 3.0 has no texture buffers (samplerBuffer)",
-                                      "they are in OpenGL 3.1 and OpenGL ES 3.2");
+        for (const char* const name : {"gl_ClipDistance", "gl_CullDistance"})
+            refuse(program, u, name, "unsupported-variable", "OpenGL ES has no '" + std::string(name) + "'",
+                   "to cut something off, pass the distance on, and discard fragments where it is negative");
+        if (program.target().version >= 320) continue;
+        refuse(program, u, "samplerBuffer", "unsupported-type", "OpenGL ES 3.0 has no texture buffers (samplerBuffer)",
+               "they are in OpenGL 3.1 and OpenGL ES 3.2");
         if (u.stage != Stage::vertex && u.stage != Stage::fragment && !program.options.without_stages)
             program.diagnostics.error("unsupported-stage", u.reference,
                                       "OpenGL ES 3.0 has no geometry and tessellation shaders");
+        if (u.stage == Stage::fragment && plain)
+            refuse(program, u, "gl_PrimitiveID", "unsupported-variable",
+                   "OpenGL ES 3.0 has no 'gl_PrimitiveID' in fragment shaders",
+                   "a geometry shader can give it: 'gl_PrimitiveID = gl_PrimitiveIDIn;' before EmitVertex()");
     }
 }
 
@@ -150,6 +167,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     if (Unit* fragment = program.find(Stage::fragment)) assign_outputs(program, *fragment);
     replace_legacy(program);
     if (options.target.es && program.units.size() == 2) give_point_size(program.units.front());
+    const bool numbers = passes_numbers(program);
     const std::optional<std::string> lines = widen_lines(program);
 
     Translation out;
@@ -173,7 +191,8 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
     out.declared = std::move(program.declared);
     out.settled = std::move(program.settled);
     if (own.without_stages && diagnostics.errors() == errors) emulate_stages(program, out);
-    if (out.stages.size() == 2 && passes_numbers(program) && diagnostics.errors() == errors) pass_numbers(program, out);
+    if (lines && numbers && diagnostics.errors() == errors) emulate_geometry(program, out);
+    if (out.stages.size() == 2 && numbers && diagnostics.errors() == errors) pass_numbers(program, out);
     out.ok = diagnostics.errors() == errors;
     return out;
 }

@@ -6,7 +6,7 @@ import { isText, read, same, write, type Format } from './bytes.ts';
 import { stateOf } from './code.ts';
 import { endsField } from './ends.ts';
 import type { Files } from './host.ts';
-import { folderOf, resolve } from './names.ts';
+import { asWritten, folderOf, resolve } from './names.ts';
 import { rangeOf } from './places.ts';
 
 export interface Document {
@@ -54,14 +54,17 @@ export function keep(document: Document): void {
     document.kept = { bytes: bytesOf(document), doc: document.state.doc, ends: document.state.field(document.ends) };
 }
 
-// The scene first, then scenes and includes, then shaders; those in the scene's folder come before others.
+// The scene first, then what its text names, then the other files of its folder, then all others: scenes and includes
+// before shaders.
 export function textFiles(scene: string, files: Files): string[] {
+    const text = new TextDecoder().decode(files.get(scene));
     const kind = (name: string) => (/\.(glib|inc)$/i.test(name) ? 0 : /\.(txt|md)$/i.test(name) ? 2 : 1);
-    const rank = (name: string) => (name === scene ? -1 : 2 * kind(name) + Number(folderOf(name) !== folderOf(scene)));
+    const near = (name: string) => (text.includes(asWritten(scene, name)) ? 0 : folderOf(name) === folderOf(scene) ? 1 : 2);
+    const rank = new Map([...files.keys()].map((name) => [name, name === scene ? -1 : 3 * near(name) + kind(name)]));
     return [...files]
         .filter(([name, bytes]) => isText(name, bytes))
         .map(([name]) => name)
-        .sort((a, b) => rank(a) - rank(b) || (a < b ? -1 : 1));
+        .sort((a, b) => rank.get(a)! - rank.get(b)! || (a < b ? -1 : 1));
 }
 
 const severities = { error: 'error', warning: 'warning', note: 'info' } as const;

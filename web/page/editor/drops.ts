@@ -145,7 +145,7 @@ export function readFolder(handle: FileSystemDirectoryHandle): Promise<Unpacked>
 export async function chooseFolder(startIn?: FileSystemHandle): Promise<Unpacked | undefined> {
     if (!window.showDirectoryPicker) return chooseFiles(true);
     const handle = await window.showDirectoryPicker({ id: 'snell', mode: 'read', startIn }).catch(() => undefined);
-    return handle && readFolder(handle);
+    return handle ? readFolder(handle) : { files: new Map(), messages: ['No folder was opened.'] };
 }
 
 // The browser's dialog for files, or for a folder.

@@ -64,6 +64,14 @@ export function resolve(folder: string, name: string): string {
     return parts.join('/');
 }
 
+// A file's name as the scene writes it.
+export function asWritten(scene: string, name: string): string {
+    const folder = scene.split('/').slice(0, -1), parts = name.split('/');
+    let same = 0;
+    while (same < folder.length && folder[same] === parts[same]) ++same;
+    return '../'.repeat(folder.length - same) + parts.slice(same).join('/');
+}
+
 // The shortest ends of the names that tell them apart: "ball.frag", but "glass/glass.frag" where there are two.
 export function shortNames(names: readonly string[]): Map<string, string> {
     const tail = (name: string, parts: number) => name.split('/').slice(-parts).join('/');

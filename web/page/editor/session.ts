@@ -7,7 +7,7 @@ import type { Draft } from '../store.ts';
 import { read, same, unwritable, type Format } from './bytes.ts';
 import { bytesOf, isEdited, keep, keepAs, makeDocument, marksOf, movedMarks, textFiles, type Document, type Mark } from './documents.ts';
 import type { Checked, EditorHost, Files } from './host.ts';
-import { resolve } from './names.ts';
+import { asWritten, resolve } from './names.ts';
 import { rangeOf } from './places.ts';
 import { kind, merged } from './problems.ts';
 import type { Tab } from './tabs.ts';
@@ -202,13 +202,7 @@ export class Session {
 
     // Names of files as the scene writes them.
     #names(): string[] {
-        const folder = this.host.scene.split('/').slice(0, -1);
-        return [...this.host.files.keys()].map((name) => {
-            const parts = name.split('/');
-            let same = 0;
-            while (same < folder.length && folder[same] === parts[same]) ++same;
-            return '../'.repeat(folder.length - same) + parts.slice(same).join('/');
-        });
+        return [...this.host.files.keys()].map((name) => asWritten(this.host.scene, name));
     }
 
     #extensions(name: string, format: Format): Extension {
