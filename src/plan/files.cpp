@@ -253,8 +253,7 @@ Resolved Files::handed_out(std::string_view written, const std::vector<std::stri
             return std::pair(~common(lowered(entry.second), name), std::string_view(entry.second));
         };
         const auto best = std::min_element(begin, end, [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-        if (best != end)
-            return {best->second, last_component(best->second) != last_component(tidy(written))};
+        if (best != end) return {best->second, last_component(best->second) != last_component(tidy(written))};
     }
     return {};
 }
@@ -287,8 +286,7 @@ Resolved Files::look_up(std::string_view written, const std::vector<std::string_
     for (const std::string_view extension : extensions) {
         const std::string longer = name + (name.back() == '.' ? "" : ".") + std::string(extension);
         if (std::string path = at(longer); finder.is_regular(path)) return {std::move(path), true};
-        if (std::string path = finder.find_case(folder_, longer); !path.empty())
-            return {std::move(path), true};
+        if (std::string path = finder.find_case(folder_, longer); !path.empty()) return {std::move(path), true};
     }
     // The scene was written on another machine, or before its files were gathered in one folder.
     if (const std::string file(last_component(name)); file != name && file != ".." && !has_drive(file)) {
