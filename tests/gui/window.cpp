@@ -354,6 +354,9 @@ TEST_F(Window, MessagesNameFilesFromTheScenesFolderAndPrintThemWhole) {
 TEST_F(Window, WhatCanNotBeOpenedHasAnExitStatus) {
     EXPECT_EQ(run({file("none.glib")}, display_), 1);
     EXPECT_FALSE(std::filesystem::exists(file("none.glib")));
+    EXPECT_NE(shell("DISPLAY=" + display_ + " snell none.glib 2>reason"), 0);
+    EXPECT_NE(bytes("reason").find("cannot read 'none.glib': No such file or directory"), std::string::npos)
+        << bytes("reason");
     EXPECT_EQ(run({file("scene.glib")}, ""), 3) << "no display";
     EXPECT_EQ(run({file("scene.glib"), "--size", "big"}, display_), 2);
     EXPECT_EQ(run({file("scene.glib"), "--exit-after", ".5"}, display_), 0);
