@@ -274,20 +274,20 @@ TEST_F(StagesEs, WhatTheyCannotDoIsSaidAtItsPlace) {
     };
     const std::string emits = "gl_Position = gl_in[0].gl_Position; EmitVertex(); }\n";
     const char* const red = "void main() { gl_FragColor = vec4(1.); }";
-    const Refused all[] = {
-        {"void main() {\n    gl_Layer = 1; ", red, "s.geom", "unsupported-stage", "'gl_Layer' is not there", 4, false},
-        {"void main() {\n    EmitStreamVertex(1); ", red, "s.geom", "unsupported-stage",
-         "no streams of vertices but the first", 4, true},
-        {"void main() {\n    gl_ClipDistance[0] = 1.; ", red, "s.geom", "unsupported-variable", "no 'gl_ClipDistance'",
-         4, true},
-        {"out float many[2][3];\nvoid main() { many[0][0] = 1.; ",
-         "\nin float many[2][3];\nvoid main() { gl_FragColor = vec4(many[0][0]); }", "s.frag", "unsupported-stage",
-         "'many' is of a type", 3, false},
-        {"in vec2 two[][2]; out vec2 one;\nvoid main() { one = two[0][1]; ",
-         "in vec2 one; void main() { gl_FragColor = one.xyxy; }", "s.geom", "unsupported-stage", "'two' is of a type",
-         3, false},
-        {nullptr, "\nvoid main() {\n    gl_FragColor = vec4(gl_PrimitiveID);\n}\n", "s.frag", "unsupported-variable",
-         "no 'gl_PrimitiveID' in fragment shaders", 4, false}};
+    const Refused all[] = {{"void main() {\n    gl_Layer = 1; ", red, "s.geom", "unsupported-stage",
+                            "'gl_Layer' cannot be used", 4, false},
+                           {"void main() {\n    EmitStreamVertex(1); ", red, "s.geom", "unsupported-stage",
+                            "only the first stream of vertices", 4, true},
+                           {"void main() {\n    gl_ClipDistance[0] = 1.; ", red, "s.geom", "unsupported-variable",
+                            "no 'gl_ClipDistance'", 4, true},
+                           {"out float many[2][3];\nvoid main() { many[0][0] = 1.; ",
+                            "\nin float many[2][3];\nvoid main() { gl_FragColor = vec4(many[0][0]); }", "s.frag",
+                            "unsupported-stage", "'many' has a type", 3, false},
+                           {"in vec2 two[][2]; out vec2 one;\nvoid main() { one = two[0][1]; ",
+                            "in vec2 one; void main() { gl_FragColor = one.xyxy; }", "s.geom", "unsupported-stage",
+                            "'two' has a type", 3, false},
+                           {nullptr, "\nvoid main() {\n    gl_FragColor = vec4(gl_PrimitiveID);\n}\n", "s.frag",
+                            "unsupported-variable", "no 'gl_PrimitiveID' in fragment shaders", 4, false}};
     const gl::Caps whole = caps;
     for (const Refused& refused : all) {
         SCOPED_TRACE(refused.said);

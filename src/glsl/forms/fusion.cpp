@@ -130,8 +130,8 @@ bool refuses(const Program& program) {
                 program.diagnostics.error(
                     "unsupported-stage", u.span(i),
                     "'" + std::string(u.at(i).text) +
-                        "' is not there where vertex shaders stand for other stages, as with this OpenGL",
-                    "without these stages, a shader can neither choose layers nor cull");
+                        "' cannot be used: on this OpenGL, vertex shaders replace geometry and tessellation shaders",
+                    "such a shader can neither choose a layer or a viewport nor cull");
                 return true;
             }
     return false;
@@ -163,7 +163,8 @@ void Fusion::cannot_pass(Stage which, std::string_view name) {
     const auto token = ranges::find(u.tokens, name, &Token::text);
     if (token != u.tokens.end()) reference_ = u.span(static_cast<int>(token - u.tokens.begin()));
     fail("'" + std::string(name) +
-         "' is of a type that cannot be handed on where vertex shaders stand for other stages");
+         "' has a type that cannot be passed on this OpenGL, where vertex shaders replace the other stages, such as an "
+         "array of arrays");
 }
 
 Unit Fusion::read_again(const StageOutput& from, bool apart, std::size_t first_file) {

@@ -95,7 +95,7 @@ void first_stream(const Program& program, Unit& u) {
             } else if (program.target().es || program.options.without_stages) {
                 program.diagnostics.error(
                     "unsupported-stage", u.span(i),
-                    "this OpenGL has no streams of vertices but the first one, as in '" + std::string(name) + "(0)'",
+                    "this OpenGL has only the first stream of vertices, '" + std::string(name) + "(0)'",
                     "what goes to another stream is not drawn: leave it out");
             }
         }
