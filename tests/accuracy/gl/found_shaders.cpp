@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "src/accuracy/found/change.h"
+#include "src/accuracy/found/shaders/shader.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {
@@ -18,7 +18,7 @@ protected:
     std::unique_ptr<Document> find(const std::string& path) {
         changes.clear();
         return open_document(path, caps, nullptr, [&](const Plan& plan, Document& document) {
-            accuracy::add_shader_changes(plan, *document.files, document.sources, changes);
+            accuracy::add_shader_changes({plan, *document.files, document.sources}, changes);
         });
     }
     // Opens it again with changes.
