@@ -42,7 +42,7 @@ protected:
         folder.write("noise.vert", "void main() { gl_Position = ftransform(); }\n");
         folder.write("noise.frag",
                      "uniform sampler3D Noise3;\nvoid main() { gl_FragColor = texture3D(Noise3, vec3(.5)); }\n");
-        folder.write("slow.glib", scene(320));
+        folder.write("slow.glib", scene(384));
         folder.write("quick.glib", scene(16));
     }
     static std::string scene(int size) {
@@ -58,7 +58,7 @@ TEST_F(ProgressLines, ASlowLoadHasABarOnATerminalThatIsGoneAfterwards) {
     const auto [text, seconds] = on_terminal(render("slow"));
     if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
     if (seconds < .8) GTEST_SKIP() << "this machine is too fast for the test: " << seconds << " s";
-    EXPECT_NE(text.find("reading files: 0 of 1 (noise3d.320.tex)"), std::string::npos) << text;
+    EXPECT_NE(text.find("reading files: 0 of 1 (noise3d.384.tex)"), std::string::npos) << text;
     EXPECT_TRUE(text.ends_with("\r\x1b[K")) << text;
 }
 

@@ -18,7 +18,7 @@ protected:
              "void main() { gl_FragColor = vec4(uPaint + 1e-6 * texture3D(Noise3, vec3(.5)).rgb, 1.); }\n");
     }
     static std::string scene(const std::string& shader, const std::string& color) {
-        return "Noise3D 320\nOrtho -1 1 -1 1\nVertex paint.vert\nFragment " + shader + "\nProgram Paint uPaint [" +
+        return "Noise3D 384\nOrtho -1 1 -1 1\nVertex paint.vert\nFragment " + shader + "\nProgram Paint uPaint [" +
                color + "]\nQuadXY 0. 9.\n";
     }
     // In the window of 800 x 600: where the bar's text and frame are, and away from it.

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 namespace {
@@ -27,9 +28,10 @@ bool rasterizes() {
     return result;
 }
 
-struct Told {
-    ~Told() { dprintf(STDERR_FILENO, "signalled %d, freed while locked %d\n", signalled.load(), freed_locked.load()); }
-} told;
+// snell ends by quick_exit.
+const int told = std::at_quick_exit([] {
+    dprintf(STDERR_FILENO, "signalled %d, freed while locked %d\n", signalled.load(), freed_locked.load());
+});
 
 }  // namespace
 

@@ -145,13 +145,13 @@ Json counters_json(const Counters& counters) {
     return json;
 }
 
-Json span_json(const std::optional<Span>& span, const Sources& sources) {
+Json line_json(const std::optional<Span>& span, const Sources& sources) {
     if (!span) return nullptr;
     return {{"file", sources.name(span->file)}, {"line", line_of(*span, sources)}};
 }
 
 Json place_json(const std::optional<Span>& span, const Sources& sources) {
-    Json json = span_json(span, sources);
+    Json json = line_json(span, sources);
     if (span) json["column"] = sources.position(span->file, span->begin).column;
     return json;
 }
@@ -223,7 +223,7 @@ std::string explain_json(const ExplainReport& report, const Sources& sources) {
     json["pays"] = Json::array();
     for (const Paid& paid : report.explanation.paid) {
         Json one{{"kind", name(paid.kind)}, {"name", paid.name}, {"why", paid.why}};
-        one["at"] = span_json(paid.span, sources);
+        one["at"] = line_json(paid.span, sources);
         one["bytes"] = paid.bytes;
         one["load_ms"] = paid.load_ms ? Json(*paid.load_ms) : Json(nullptr);
         one["frame"] = paid.frame ? cost_json(*paid.frame) : Json(nullptr);
@@ -236,12 +236,12 @@ std::string explain_json(const ExplainReport& report, const Sources& sources) {
         json["not_paid"].push_back({{"name", unpaid.name}, {"why", unpaid.why}});
     json["unused"] = Json::array();
     for (const auto& unused : report.explanation.unused)
-        json["unused"].push_back({{"name", unused.name}, {"why", unused.why}, {"at", span_json(unused.span, sources)}});
+        json["unused"].push_back({{"name", unused.name}, {"why", unused.why}, {"at", line_json(unused.span, sources)}});
     json["switched_off"] = switched_off_json(report, sources);
     json["lints"] = Json::array();
     for (const Diagnostic& lint : report.lints.items())
         json["lints"].push_back(
-            {{"code", lint.code}, {"message", lint.message}, {"at", span_json(lint.span, sources)}});
+            {{"code", lint.code}, {"message", lint.message}, {"at", line_json(lint.span, sources)}});
     json["counters"] = {{"load", counters_json(report.load)}, {"frame", counters_json(report.per_frame)}};
     return content::json_text(json) + "\n";
 }
