@@ -227,6 +227,12 @@ double Walker::rounds_on_average(const Loop& loop, int begins) {
     return rounds == endless ? 0 : rounds;
 }
 
+bool Walker::depends_on_middles(int first, int last) const {
+    for (int k = at(first).begin; k <= last; ++k)
+        if (at(k).form == Form::name && middles_.contains(at(k).variable)) return true;
+    return false;
+}
+
 // Halfway between the first and the last value of a loop's counter.
 std::optional<std::pair<int, double>> Walker::middle_of(const Loop& loop, double rounds) {
     const std::vector<int> sides = parts(loop.condition);

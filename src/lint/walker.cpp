@@ -149,7 +149,8 @@ void Walker::loop(int node) {
     const auto middle = middle_of(own, rounds);
     const double weight = weight_;
     go_round(rounds, at(node).first, at(counted ? step : condition).last + 1);
-    weight_ *= std::max(rounds, 1.0);
+    // With the middle of what it depends on, it does not go round: what is in it does so for a few at most.
+    weight_ *= rounds > 0 || !depends_on_middles(counted ? all[0] : condition, condition) ? std::max(rounds, 1.0) : 0;
     forget_stored(at(condition).begin, body);
     const State before = state_;
     const bool varies = evaluate(condition).v.varies == Varies::yes;

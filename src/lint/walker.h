@@ -104,6 +104,7 @@ private:
     double rounds_of(const Loop& loop);
     bool linear(int node) const;
     double rounds_on_average(const Loop& loop, int begins);
+    bool depends_on_middles(int first, int last) const;
     std::optional<std::pair<int, double>> middle_of(const Loop& loop, double rounds);
     void go_round(double rounds, int first, int last);
 

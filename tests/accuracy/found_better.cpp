@@ -305,6 +305,12 @@ TEST_F(FoundBetter, MoreRounds) {
                     .after(ChangeKind::more_rounds)
                     .empty())
         << "the array has no more elements";
+    for (const char* element : {"a[k++]", "a[k]; k += 1", "a[i + i]"})
+        EXPECT_TRUE(rounds("vec3 a[8]; int k = 0;\nfor (int i = 0; i < 3; i++) { int m = i + i; gl_FragColor.rgb += " +
+                           std::string(element) + "; }\n")
+                        .after(ChangeKind::more_rounds)
+                        .empty())
+            << element;
     EXPECT_TRUE(
         rounds("for (int i = 0; i < int(uX); i++) gl_FragColor = vec4(i);\n").after(ChangeKind::more_rounds).empty());
 }

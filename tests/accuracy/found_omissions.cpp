@@ -105,6 +105,7 @@ TEST_F(FoundOmissions, NothingIsLeftWithoutAValue) {
     };
     EXPECT_EQ(in_main("vec3 r; r = vec3(0.); r += vec3(1.);"), Befores{"r += vec3(1.)"});
     EXPECT_EQ(in_main("float s; s = 0.; s = 1.;"), Befores{"s = 1."});
+    EXPECT_EQ(in_main("float s; s = s; s = 1.;"), Befores{}) << "it was nothing before";
     EXPECT_EQ(in_main("float s; if (true) s = 0.; s = 1.; { s = 2.; }"), Befores{"s = 2."}) << "on every path";
     EXPECT_EQ(in_main("float s; if (true) { s = 0.; } else s = 1.;"), Befores{});
     EXPECT_EQ(in_main("float s = 1.; { float s; s = 2.; }"), Befores{}) << "another variable";

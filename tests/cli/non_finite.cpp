@@ -122,6 +122,14 @@ TEST_F(NonFiniteInput, CheckTellsWhereNaNBegins) {
     EXPECT_FALSE(check("gl_FragColor = vec4(sin(uA + 1.) / (uA + 1.));").says("NaN"));
     const Outcome before = snell("check " + at("w.glib"));
     EXPECT_TRUE(before.says("w.vert:5:6: warning: 'uA / uA' is NaN")) << before.output;
+    // Neither gives a colour without the other.
+    const Outcome both = check("float a = sqrt(uA - 1.), b = sqrt(vST.y - 9.);\ngl_FragColor = vec4(a, b, 0., 1.);");
+    EXPECT_TRUE(both.says("s.glib:3:1: warning: program 'P' computes NaN")) << both.output;
+    // Words stay apart where something is written between them.
+    EXPECT_EQ(check("gl_FragColor = vec4(lit(vST.x));\n}\nfloat lit(float x) {\nif (x > uA) return(1.);\nreturn(0.);",
+                    "#version 330 compatibility\nfloat lit(float x);\nin")
+                  .output,
+              "");
     // Several colours: the place is not certain.
     const Outcome two = check("c = d = vec4(uA / uA);", "#version 330\nout vec4 c, d; in");
     EXPECT_TRUE(two.says("s.glib:3:1: warning: program 'P' computes NaN")) << two.output;

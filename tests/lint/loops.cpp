@@ -63,6 +63,8 @@ TEST(LintLoops, LoopsInLoopsThatGrowOrShrink) {
           {"i < 90; ++i", "int k = 0; k < i; ++k) for (int m = 0; m < k; ++m", true},
           {"i < 70; ++i", "int k = 0; k < i; ++k) for (int m = 0; m < k; ++m", false},
           {"i < 400; ++i", "int k = 0; k < 1000 * (i % 2); ++k", false},
+          {"i < 100; ++i", "int k = 99; k <= i; ++k) for (int m = 0; m < 700; ++m", false},
+          {"i < 50; ++i", "int k = 0; k < i; ++k) for (int m = k; m < 3; ++m) for (int n = 0; n < 100; ++n", false},
           {"i < 400; ++i", "int k = i; k != 7; ++k", false},
           {"i < 400; i += uM", "int k = 0; k < i; ++k", false}}) {
         const std::string loop = std::string("for (int i = 0; ") + outer + ") for (" + inner + ") x += 1.;";

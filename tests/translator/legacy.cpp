@@ -58,6 +58,15 @@ TEST(GlslLegacy, TextureFunctions) {
     EXPECT_TRUE(t.has(Stage::fragment, "vec4(texture(s, vec3(.5)))"));
 }
 
+// `return(x)` has no blank for what is written between the two.
+TEST(GlslLegacy, WordsStayApart) {
+    const std::string text =
+        "varying float vX;\nfloat f(float x) { if (x > .5) return(1); return(float)0; }\nbool g(int x) { return(x); }\n"
+        "int h(float x) { return(x); }\nvoid main() { gl_FragColor = vec4(f(vX), g(h(vX)) ? 1. : 0., 0., 1.); }\n";
+    expect_valid({{Stage::fragment, text}});
+    EXPECT_TRUE(fragment(text, es300).has(Stage::fragment, "return float("));
+}
+
 TEST(GlslLegacy, OwnFunctionOfThatNameStays) {
     const Translated t =
         fragment("vec4 texture2D(float x) { return vec4(x); } void main() { gl_FragColor = texture2D(.5); }");

@@ -143,6 +143,7 @@ private:
 
     std::optional<Found> search(const Shader& shader) {
         list_expressions(shader);
+        const std::size_t all = draw(shader, {}).nan;
         std::vector<int> finite;
         for (int round = 0; round < 3; ++round) {
             const Seen seen = draw(shader, finite);
@@ -151,7 +152,9 @@ private:
                 if (one == 0) continue;
                 finite.push_back(one);
                 const Seen without = draw(shader, finite);
-                if (without.drawn && without.nan < seen.nan) return found(shader, one, one == seen.infinite);
+                const auto helps_alone = [&] { return finite.size() == 1 || draw(shader, {one}).nan < all; };
+                if (without.drawn && without.nan < seen.nan && helps_alone())
+                    return found(shader, one, one == seen.infinite);
                 if (one == seen.infinite) finite.pop_back();
             }
         }

@@ -1,6 +1,7 @@
 // Writes tokens and edits as text.
 #include <algorithm>
 
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
@@ -9,15 +10,17 @@ namespace snell::glsl {
 
 namespace {
 
+// Two words stay two: `return(1.)` has no blank where something is written between them.
+void put(std::string_view text, std::string& out) {
+    if (!text.empty() && !out.empty() && identifier_part(text.front()) && identifier_part(out.back())) out += ' ';
+    out += text;
+}
+
 void write_token(const Unit& u, const Token& t, std::string& out) {
-    if (t.edit < 0) {
-        out += t.text;
-        return;
-    }
-    const Edit& e = u.edits[static_cast<std::size_t>(t.edit)];
-    out += e.before;
-    out += e.replaced ? std::string_view(e.text) : t.text;
-    out += e.after;
+    const Edit* edit = t.edit < 0 ? nullptr : &u.edits[static_cast<std::size_t>(t.edit)];
+    if (edit) put(edit->before, out);
+    put(edit && edit->replaced ? std::string_view(edit->text) : t.text, out);
+    if (edit) put(edit->after, out);
 }
 
 // The tokens of one macro invocation from `i`: as written if nothing in them changed, else expanded.

@@ -250,6 +250,12 @@ TEST_F(FoundShaders, TermsOfSumsAreLeftOut) {
                      "uLight * uA + normalize(vN) - vP * vP → uLight * uA + normalize(vN)"}));
     EXPECT_EQ(shaders(in_main("color = vN * vN - vP * vP;")).lines(without_term),
               (Lines{"vN * vN - vP * vP → - vP * vP", "vN * vN - vP * vP → vN * vN"}));
+    Found& returned = shaders(
+        "varying vec3 vN;\nfloat f() { return(sin(vN.x)) + cos(vN.y); }\n"
+        "void main() { gl_FragColor = vec4(f()); }\n");
+    const Change* left = returned.find(without_term, "sin", "cos(vN.y)");
+    ASSERT_NE(left, nullptr);
+    EXPECT_NE(returned.changed(*left, "a.frag").find("{ return cos(vN.y); }"), std::string::npos);
     EXPECT_EQ(shaders(in_main("color = 1. + sin(vN);")).lines(without_term), Lines{})
         << "a number alone has another type, and costs nothing";
     EXPECT_EQ(shaders(in_main("color = uA * (vN * vP + sin(vN));")).lines(without_term).size(), 2U);

@@ -8,6 +8,7 @@
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/shaders/shader.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
@@ -445,6 +446,17 @@ bool join_neighbours(Edits& edits) {
 
 }  // namespace
 
+// `return(1.)` without its parentheses is `return 1.`.
+void keep_words_apart(Edit& edit, std::string_view text) {
+    const auto [file, begin, end] = edit.span;
+    const auto word = [](char c) { return glsl::identifier_part(c); };
+    const bool before = begin > 0 && word(text[begin - 1]), behind = end < text.size() && word(text[end]);
+    if (edit.text.empty() && !(before && behind)) return;
+    const bool first = before && (edit.text.empty() || word(edit.text.front()));
+    const bool last = behind && !edit.text.empty() && word(edit.text.back());
+    edit.text = (first ? " " : "") + edit.text + (last ? " " : "");
+}
+
 Offers::Offers(const Files& files, const Sources& sources, std::vector<Change>& changes, std::size_t most)
     : sources_(sources), changes_(changes), left_(most) {
     for (std::string& path : files.read_paths()) names_.insert(std::move(path));
@@ -461,6 +473,7 @@ bool Offers::add(ChangeKind kind, const std::vector<Span>& shown, Edits edits, s
     ranges::stable_sort(made, by_place);
     made.erase(std::unique(made.begin(), made.end()), made.end());
     if (made.empty() || !join_neighbours(made)) return false;
+    for (Edit& edit : made) keep_words_apart(edit, sources_.text(edit.span.file));
     std::string key;
     for (const auto& [span, text] : made) key += fmt::format("{}:{}-{}:{}\n", span.file, span.begin, span.end, text);
     if (!known_.insert(key).second) return false;
@@ -537,8 +550,12 @@ private:
                 if (u_.at(k).text == "=") return true;
             return false;
         }
-        if (n.form == Form::assign && n.text == "=" && at(inside[0]).form == Form::name && at(inside[0]).text == name_)
+        if (n.form == Form::assign && n.text == "=" && at(inside[0]).form == Form::name &&
+            at(inside[0]).text == name_) {
+            for (int k = n.first + 1; k <= n.last; ++k)
+                if (u_.at(k).text == name_) return std::nullopt;  // made of itself
             return true;
+        }
         if (n.form == Form::evaluated || n.form == Form::comma || n.form == Form::declaration)
             for (const int part : inside)
                 if (const auto known = writes(part)) return known;

@@ -119,7 +119,7 @@ private:
     // Counts from a number up to one, or by a real one.
     void more(int loop) {
         const std::vector<Counter> all = counters(s_, loop);
-        if (all.empty() || emits(loop) || indexes(loop, all.front().variable)) return;
+        if (all.empty() || emits(loop) || indexes(loop)) return;
         const Counter& c = all.front();
         if (c.base < 0 || c.target < 0 || c.comparison < 0 || c.advance < 0) return;
         const Node &test = s_.at(c.comparison), &bound = s_.at(c.target);
@@ -136,13 +136,21 @@ private:
         }
     }
 
-    // Whether an element of an array is read that more rounds may not have.
-    bool indexes(int loop, int variable) const {
-        for (int n = s_.at(loop).begin; n < loop; ++n) {
+    // Whether an element of an array is read that more rounds may not have: another one in each.
+    bool indexes(int loop) const {
+        const int begin = s_.at(loop).begin;
+        const auto changes = [&](int variable) {
+            if (variable < 0) return false;
+            const int declared = s_.declarator(variable);
+            return (declared >= begin && declared < loop) || ranges::any_of(s_.uses(variable), [&](int use) {
+                       return use >= begin && use < loop && s_.written(use);
+                   });
+        };
+        for (int n = begin; n < loop; ++n) {
             if (s_.at(n).form != Form::index) continue;
             const int index = s_.parts(n)[1];
             for (int k = s_.at(index).begin; k <= index; ++k)
-                if (s_.at(k).form == Form::name && s_.at(k).variable == variable) return true;
+                if (s_.at(k).form == Form::name && changes(s_.at(k).variable)) return true;
         }
         return false;
     }
