@@ -128,6 +128,7 @@ void History::follow_text(const std::string& name, const Control& old, const Con
 }
 
 void History::reread(const Scene& scene, const Controls& controls, const View& view) {
+    before_ = {};
     Controls now = controls;
     const std::vector<std::string> names = control_names(scene, controls);
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -210,6 +211,7 @@ bool History::take(const Scene& scene, const Controls& controls, const View& vie
         step.presses = gesture.presses;
         step.time = gesture.now;
         name_objects(scene, view);
+        if (before_.presses != gesture.presses) note_before(gesture.presses);
         push(std::move(step));
     }
     const bool held = std::exchange(held_, false), open = open_ && !held;  // a drag ends with its button
@@ -217,6 +219,29 @@ bool History::take(const Scene& scene, const Controls& controls, const View& vie
     begin(scene, controls, view);
     open_ = open;
     return moved;
+}
+
+void History::note_before(std::uint64_t presses) {
+    const auto undone = steps_.begin() + static_cast<std::ptrdiff_t>(done_);
+    before_ = {presses, {undone, steps_.end()}, setup_, controls_, names_, view_};
+}
+
+void History::take_back(std::uint64_t presses) {
+    Before before = std::exchange(before_, {});
+    if (before.presses == 0 || before.presses + 1 != presses) return;
+    forget_redo();
+    for (; !steps_.empty() && steps_.back().presses == before.presses; steps_.pop_back())
+        bytes_ -= steps_.back().bytes();
+    done_ = steps_.size();
+    for (Step& step : before.undone) {
+        bytes_ += step.bytes();
+        steps_.push_back(std::move(step));
+    }
+    setup_ = std::move(before.setup);
+    controls_ = std::move(before.controls);
+    names_ = std::move(before.names);
+    view_ = std::move(before.view);
+    open_ = false;
 }
 
 void History::push(Step step) {
@@ -250,12 +275,14 @@ void History::add(std::string what, std::vector<SavedFile> files) {
     Step step;
     step.what = std::move(what);
     step.files = std::move(files);
+    before_ = {};
     push(std::move(step));
     open_ = false;
 }
 
 std::string History::go(const UserState& state, bool forward) {
     open_ = false;
+    before_ = {};
     rest(state.scene, state.controls, state.moving);
     while (forward ? done_ < steps_.size() : done_ > 0) {
         const Step& step = steps_[forward ? done_++ : --done_];

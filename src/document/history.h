@@ -51,6 +51,9 @@ public:
     // Makes a step of what was changed since the last call, or extends the last step if it changed the same in the same
     // gesture, such as turns of the wheel or repeats of a key. Returns true if there was a change.
     bool follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
+    // Forgets what the last press changed, as if it had not been: what it made impossible to redo can be redone again.
+    // Call it in the frame of the press that takes it back, `presses`; the state is what it was before.
+    void take_back(std::uint64_t presses);
     // Makes a step of files that were replaced. `what` is what undo and redo say, such as "snapshot 3".
     void add(std::string what, std::vector<SavedFile> files);
 
@@ -84,6 +87,16 @@ private:
         bool merge(Step&& later);
     };
 
+    // What the steps of the last press replaced.
+    struct Before {
+        std::uint64_t presses = 0;  // with that press; 0: nothing
+        std::deque<Step> undone;    // the steps that could be redone
+        Setup setup;
+        Controls controls;
+        std::vector<std::string> names;
+        View view;
+    };
+
     // Sets what moves to the value from before its motion.
     void rest(const Scene& scene, Controls& controls, std::span<const Animated> moving) const;
     // The index into controls_; `names` are those of the other controls, or empty if they are the same uniforms.
@@ -91,6 +104,7 @@ private:
     bool take(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
     Step difference(const Scene& scene, const Controls& controls, const View& view) const;
     void push(Step step);
+    void note_before(std::uint64_t presses);
     void forget_redo();
     void follow_text(const std::string& name, const Control& old, const Control& control);
     void name_objects(const Scene& scene, const View& view);
@@ -111,6 +125,7 @@ private:
     Controls controls_, at_rest_;  // at_rest_ only keeps its memory from frame to frame
     std::vector<std::string> names_;
     View view_;
+    Before before_;
     std::vector<std::string> objects_;  // names of the scene's objects; empty until one was moved
 };
 

@@ -452,6 +452,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
         parts.scene.contains(mouse.x, mouse.y))
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     hold_scene(facts, parts.scene, view, memory.hold, requests);
+    requests.take_back = std::exchange(memory.slider.taken_back, false);
     return requests;
 }
 

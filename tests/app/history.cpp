@@ -173,6 +173,30 @@ TEST_F(Undo, WhatMovesByItselfIsAStepWhenItEnds) {
     EXPECT_EQ(undo(), "nothing to undo");
 }
 
+TEST_F(Undo, WhatAPressDidIsTakenBackWithItsHistory) {
+    for (const std::size_t index : {0U, 1U}) {
+        value(index) = 1;
+        step();
+    }
+    undo();
+    const std::size_t bytes = history_.bytes();
+    value(0) = 2;
+    step();
+    value(0) = 1;
+    history_.take_back(++presses_);
+    EXPECT_FALSE(same_gesture());
+    EXPECT_EQ(history_.bytes(), bytes);
+    EXPECT_EQ(redo(), "redo: Glass.uMix 0.5 \u2192 1");
+    value(0) = 2;
+    step();
+    ++presses_;
+    history_.take_back(++presses_);
+    EXPECT_EQ(undo(), "undo: Glass.uEta 2 \u2192 1") << "it was not the last press";
+    history_.take_back(++presses_);
+    EXPECT_EQ(undo(), "undo: Glass.uMix 1 \u2192 0.5");
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1 \u2192 0.5");
+}
+
 TEST_F(Undo, AMotionOutlivesEditsOfTheText) {
     const std::vector<Animated> moving{{0, "uMix"}};
     value(1) = .7;

@@ -157,6 +157,31 @@ TEST_F(Motion, MovingAnAnimatedSliderStopsIt) {
     EXPECT_FALSE(memory_.animating());
 }
 
+TEST_F(Motion, WhatIsTakenBackEndsNoMotion) {
+    add_slider("uMix", 0, .5, 2);
+    const Rect bar = place("Glass.uMix");
+    const auto press_at = [&](double part) {
+        memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)};
+        frame({move(bar.x + bar.width * part, bar.y + bar.height / 2)});
+        frame({button(true)});
+        ASSERT_FALSE(memory_.animating());
+    };
+    press_at(.8);
+    frame({button(false)});
+    frame({button(true)});
+    frame({button(false)});
+    EXPECT_EQ(value(), .5);
+    EXPECT_TRUE(memory_.animating()) << "a double click types";
+    press(Key::escape);
+    EXPECT_TRUE(memory_.animating());
+    frame({}, 1);
+    press_at(.6);
+    press(Key::escape);
+    frame({button(false)});
+    EXPECT_EQ(value(), .5);
+    EXPECT_TRUE(memory_.animating()) << "Escape ends the drag";
+}
+
 TEST_F(Motion, TheSpaceBarPausesAnAnimatedSlider) {
     add_slider("uMix", 0, .5, 2);
     memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)};

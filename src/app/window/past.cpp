@@ -111,6 +111,12 @@ void Past::follow(Session& session, const View& view, bool busy, std::span<const
     changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now, moving});
 }
 
+void Past::take_back(std::size_t moving) {
+    if (name_.empty()) return;
+    history().take_back(presses_);
+    moving_ = moving;
+}
+
 void Past::finish(Session& session, const View& view) {
     ++presses_;
     follow(session, view, false, {}, 0);

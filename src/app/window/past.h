@@ -33,6 +33,9 @@ public:
     // Call it after every frame of the panels: makes steps of what was changed. `busy`: a gesture has not ended.
     // `moving`: sliders that move by themselves, each of which becomes a step when its motion ends.
     void follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now);
+    // Call it before follow() in a frame of the panels that set the state from before the last press, with as many
+    // motions as there were then: the press leaves no step.
+    void take_back(std::size_t moving);
     // Ends gestures and motions, before the scene is left: what they changed becomes a step.
     void finish(Session& session, const View& view);
     // True if undo is to end the motion, because nothing else was changed since it began.

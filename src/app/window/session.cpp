@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "parser/text/ranges.h"
 #include "src/app/desktop/folder.h"
 #include "src/app/open/warnings.h"
 
@@ -92,6 +93,14 @@ void Session::reload() {
     ++revision_;
     take(
         read(path_, [this](const Scene& scene, Rungs& rungs, Diagnostics& refused) { choose(scene, rungs, refused); }));
+}
+
+void Session::hold_values(const std::string& file) {
+    // The scene may have been opened by another name of the same path since the file was saved.
+    hold_values_ |= ranges::any_of(files_, [&](const std::string& used) {
+        std::error_code error;
+        return used == file || std::filesystem::equivalent(used, file, error);
+    });
 }
 
 std::string Session::open(std::string path, Remembered memory) {

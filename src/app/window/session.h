@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "parser/text/ranges.h"
 #include "src/app/desktop/watch.h"
 #include "src/app/open/states.h"
 #include "src/app/window/survive/keeper.h"
@@ -42,7 +41,7 @@ public:
     // over the last good picture. Values of controls carry over.
     void reload();
     // The next reload keeps values and rungs although the text changes them, if this is a file in use.
-    void hold_values(const std::string& file) { hold_values_ |= ranges::find(files_, file) != files_.end(); }
+    void hold_values(const std::string& file);
     // Shows another scene as it is in its file, with the values of `memory`. Returns "", or why the current scene
     // stays.
     std::string open(std::string path, Remembered memory = {});

@@ -316,12 +316,19 @@ bool number_beside(const ImRect& box, double value, const SliderRange& range) {
     return hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
+void take_back(double& value, SliderRange& range, SliderMemory& memory) {
+    value = memory.before;
+    range.taken_back = memory.taken_back = true;
+}
+
 // Begins a drag, or opens the field at the second of two clicks.
-void press(ImGuiID id, double& value, SliderMemory& memory) {
+void press(ImGuiID id, double& value, SliderRange& range, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool twice = io.MouseDoubleClicked[0] && memory.id == id && !memory.dragged;
-    if (twice) value = memory.before;
-    memory = {id, value};
+    if (twice)
+        take_back(value, range, memory);
+    else
+        memory = {id, value};
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     ImGui::SetActiveID(id, window);
     ImGui::FocusWindow(window);
@@ -350,7 +357,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
 
     const double before = value;
     const bool hovered = ImGui::ItemHoverable(box, id);
-    if (hovered && io.MouseClicked[0] && !is_typed(id)) press(id, value, memory);
+    if (hovered && io.MouseClicked[0] && !is_typed(id)) press(id, value, range, memory);
     if (is_typed(id)) {
         typed_field(whole, id, label, value, range.type);
         range.min = std::min(range.min, value);
@@ -366,7 +373,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
         const float threshold = io.MouseDragThreshold;
         memory.dragged = memory.dragged || io.MouseDragMaxDistanceSqr[0] > threshold * threshold;
         if (cancelled(id))
-            value = memory.before;
+            take_back(value, range, memory);
         else if (!io.MouseDown[0])
             ImGui::ClearActiveID();
         else if (range.min < range.max)

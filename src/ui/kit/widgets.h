@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include <imgui.h>
 
+#include "src/plan/values/animate.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/text.h"
@@ -78,17 +80,20 @@ void show_opened();
 bool tab(const char* title, bool chosen, Layout& layout, const char* name);
 
 struct SliderRange : Track {
-    bool reset = false;  // set by slider(): the user asked for the initial value
+    // Set by slider(): the user asked for the initial value; what the last press did was taken back.
+    bool reset = false, taken_back = false;
 };
 
-// State of the slider that was pressed last. `before` is its value then: a double click moves the knob before it opens
-// the text field.
+// State of the slider that was pressed last. `before` is its value then, and `stopped` the motion that the press ended:
+// a double click, which moves the knob before it opens the text field, and Escape in a drag take both back.
 struct SliderMemory {
     unsigned id = 0;
     double before = 0;
     bool relative = false;  // Shift or Alt was pressed: the drag continues relative to the knob's position
     bool dragged = false;   // it was no click
     double fraction = 0;    // position of that drag, before rounding
+    std::optional<Animated> stopped;
+    bool taken_back = false;  // by this slider, until it is asked for
 };
 
 // Draws a slider and returns true if the value changed. Drag to move; with Shift or Alt a twentieth as fast.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <string_view>
+#include <utility>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -170,6 +171,18 @@ void range_tip(const Control& control, std::size_t component, const Section& sec
             .view());
 }
 
+// The slider that was pressed last goes on where it would be without the press.
+void move_again(Memory& memory) {
+    if (memory.slider.stopped) memory.animated.push_back(*std::exchange(memory.slider.stopped, {}));
+}
+
+void stop_by_hand(const Control& control, std::size_t component, Memory& memory) {
+    const Animated* const motion = motion_of(control, component, memory);
+    if (!motion) return;
+    memory.slider.stopped = *motion;
+    stop(memory.animated, control, component);
+}
+
 void track(Control& control, std::size_t component, const Section& section) {
     SliderRange range{{control.min, control.max, control.type, is_logarithmic(control, section)}};
     const bool changed = slider("##value", control.value[component], range, control.initial[component],
@@ -178,7 +191,10 @@ void track(Control& control, std::size_t component, const Section& section) {
     range_tip(control, component, section, "double click: type a number; right click: reset");
     control.min = range.min;
     control.max = range.max;
-    if (changed || range.reset) stop(section.memory.animated, control, component);
+    if (range.taken_back)
+        move_again(section.memory);
+    else if (changed || range.reset)
+        stop_by_hand(control, component, section.memory);
     if (changed) control.value[component] = fit_to_type(control.value[component], control.type);
     if (range.reset) reset(control, component);
 }

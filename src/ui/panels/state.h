@@ -168,6 +168,7 @@ struct Requests {
     bool set_editor = false, set_editor_now = false;
     bool new_scene_now = false;  // of the kind in Browser, under the name in SaveAs
     bool undo = false, redo = false;
+    bool take_back = false;  // the slider is as before it was pressed last: that press is no step of undo
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point
     int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none

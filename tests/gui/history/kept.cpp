@@ -178,6 +178,27 @@ TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
     EXPECT_EQ(red(), slid);
 }
 
+TEST_F(Past, ASaveIsUndoneAfterAnotherSceneWasShown) {
+    open("./one.glib");  // later it is opened by another name
+    slide(.75);
+    const double slid = red();
+    const std::string text = bytes("one.glib");
+    press("ctrl+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    show("two.glib");
+    show("one.glib");
+    const auto revision = state()["revision"];
+    press("ctrl+z");
+    ASSERT_TRUE(wait([&](const json& s) { return s["revision"] > revision; }));
+    settle();
+    EXPECT_EQ(bytes("one.glib"), text);
+    EXPECT_EQ(red(), slid) << "values stay as they are";
+    EXPECT_TRUE(title().starts_with("\u2022")) << title() << "and differ from the file";
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2);
+}
+
 TEST_F(Past, ASceneIsRescuedFromARenamedFolder) {
     namespace fs = std::filesystem;
     fs::create_directory(file("work"));

@@ -44,6 +44,12 @@ protected:
         user("key Escape");
     }
     void slide(double to) const { drag(on("Paint.uRed", .2), on("Paint.uRed", to)); }
+    // Opens the field of the slider at .9 of its track, and leaves it as it is.
+    void double_click(const std::string& slider) const {
+        const auto [x, y] = on(slider, .9);
+        user("mousemove " + std::to_string(x) + " " + std::to_string(y) +
+             " click --repeat 2 --delay 60 1 sleep .1 key Escape");
+    }
     // The uniform has this name in the shader and in the scene.
     void rename_to(const std::string& name) {
         save("paint.frag", fragment(name));
