@@ -81,7 +81,7 @@ TEST_F(Keep, AnEditAfterASaveIsNotUndoneWithIt) {
         << state()["failure"];
     EXPECT_EQ(state()["failure"], "not undone: scene.glib was changed meanwhile: it is left as it is")
         << "not its path";
-    EXPECT_TRUE(state()["widgets"].contains("failure.ok"));
+    EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("failure.ok"); }));
     EXPECT_FALSE(state()["widgets"].contains("failure.reload")) << "it is read already";
     EXPECT_FALSE(state()["widgets"].contains("failure.save as"));
     EXPECT_EQ(bytes("scene.glib"), edited);

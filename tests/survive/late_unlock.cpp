@@ -29,9 +29,8 @@ bool rasterizes() {
 }
 
 // snell ends by quick_exit.
-const int told = std::at_quick_exit([] {
-    dprintf(STDERR_FILENO, "signalled %d, freed while locked %d\n", signalled.load(), freed_locked.load());
-});
+const int told = std::at_quick_exit(
+    [] { dprintf(STDERR_FILENO, "signalled %d, freed while locked %d\n", signalled.load(), freed_locked.load()); });
 
 }  // namespace
 
