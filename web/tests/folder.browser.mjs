@@ -155,6 +155,35 @@ test('an edit here and there: the author chooses', async () => {
     assert.match(await text('a.glib'), /^# mine\r\n/);
 });
 
+// In the page: types into the text as soon as `prototype` does something.
+function typedDuring(prototype, act, what) {
+    const before = prototype[act];
+    prototype[act] = function (...all) {
+        prototype[act] = before;
+        document.execCommand('insertText', false, what);
+        return before.apply(this, all);
+    };
+}
+
+test('what is typed while the file is written stays an edit', async () => {
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await chord(page, 'Home');
+    await page.keyboard.type('# one\n');
+    await page.evaluate(`(${typedDuring})(FileSystemWritableFileStream.prototype, 'close', 'two ')`);
+    // Without taking the focus from the text.
+    await page.$$eval('.tools button', (all) => all.find(({ textContent }) => textContent.trim() === 'Save').click());
+    await shown('# onetwo # mine');
+    await until(page, async () => (await window.text('a.glib')).startsWith('# one\r\n# mine'));
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    await shown('# onetwo # mine');
+    await page.waitForSelector('.editor-tabs [data-edited=true]');
+    await press(page, 'Save', '.tools');
+    await until(page, () => !document.querySelector('.editor-tabs [data-edited=true]'));
+    assert.match(await text('a.glib'), /^# one\r\ntwo # mine/);
+    await put('a.glib', scene.replace('first', 'mine'));
+    await shown('^# mine');
+});
+
 test('after a reload the folder is open again, with the values as they were', async () => {
     await type('4.5');
     await until(page, () => /uA=4\.5/.test(location.hash));
@@ -186,6 +215,24 @@ test('edits survive a reload, are offered with their time, and taken or discarde
         if (taken) await press(page, 'Save', '.tools');
         if (taken) await message(/^Saved/);
     }
+});
+
+test('an edit that is made while a draft is written is kept, too', async () => {
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await chord(page, 'Home');
+    await page.evaluate(`(${typedDuring})(IDBObjectStore.prototype, 'put', 'late ')`);
+    await page.keyboard.type('early ');
+    await shown('early late ');
+    await new Promise((resolve) => setTimeout(resolve, 1200));
+    await page.reload();
+    await page.waitForSelector('.editor-dialog[open]');
+    await press(page, 'Take the edits', '.editor-dialog[open]');
+    await drawn(page);
+    await openText(page);
+    await shown('early late ');
+    await chord(page, 'Home');
+    await press(page, 'Save', '.tools');
+    await message(/^Saved/);
 });
 
 test('a draft is not mixed with a newer file', async () => {

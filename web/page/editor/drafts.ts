@@ -17,6 +17,7 @@ export class Drafts {
     readonly #visit = crypto.randomUUID?.() ?? String(Math.random());
     #timer: ReturnType<typeof setTimeout> | undefined;
     #told = false;
+    #edits = 0;
     // Everything that was edited is kept.
     safe = true;
 
@@ -31,6 +32,7 @@ export class Drafts {
     // Call it after each edit.
     changed(): void {
         this.safe = false;
+        ++this.#edits;
         clearTimeout(this.#timer);
         this.#timer = setTimeout(() => void this.#write(), pause);
     }
@@ -41,9 +43,11 @@ export class Drafts {
         const texts = this.session.edits();
         const { place } = this.host;
         const id = `${place}\n${this.#visit}`;
+        const edits = this.#edits;
         if (texts.length === 0) await drop('drafts', id);
-        this.safe = texts.length === 0 || (await put('drafts', { id, place, when: Date.now(), texts }));
-        if (this.safe || this.#told) return;
+        const kept = texts.length === 0 || (await put('drafts', { id, place, when: Date.now(), texts }));
+        if (edits === this.#edits) this.safe = kept; // else there is an edit that this draft does not have
+        if (kept || this.#told) return;
         this.#told = true;
         this.host.say('This browser keeps no drafts here: download or save your edits before you leave the page.');
     }

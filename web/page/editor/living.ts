@@ -1,5 +1,6 @@
 // The folder of a scene: what other programs save comes into the page, and the page's values and edits go there.
 import { ask } from '../dialog.ts';
+import { same } from './bytes.ts';
 import type { EditorHost, Files } from './host.ts';
 import { baseOf, resolve } from './names.ts';
 import type { Session } from './session.ts';
@@ -53,9 +54,14 @@ export class Living {
         for (const { name, bytes } of files) texts.set(resolve('', name), bytes);
         const rest = unwritten.slice(0, 3).map((each) => ` Not saved: ${each}.`).join('');
         if (texts.size === 0) return host.say(error || rest.trim() || 'The values are those of the file.');
+        const before = new Map(session.names().map((name) => [name, session.bytes(name)]));
         const failed = await host.folder.write(texts);
         if (failed !== '') return host.say(failed);
-        session.replaced(texts);
+        // What was typed meanwhile is an edit of what was saved.
+        const typed = (name: string) => before.has(name) && !same(before.get(name)!, session.bytes(name));
+        const untouched = new Map([...texts].filter(([name]) => !typed(name)));
+        for (const [name, bytes] of texts) if (!untouched.has(name)) session.rebase(name, bytes);
+        session.replaced(untouched);
         host.say(`Saved ${list([...texts.keys()])}.${rest}${error && ` The values are not saved: ${error}.`}`);
     }
 }

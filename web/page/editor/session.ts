@@ -135,6 +135,7 @@ export class Session {
         const document = this.#documents.get(name)!;
         keepAs(document, makeDocument(name, bytes, () => [], () => []));
         this.refresh();
+        this.editsChanged();
     }
 
     // Edits that come from elsewhere, such as a draft: an undo takes them back.
