@@ -30,6 +30,7 @@ function standIn() {
         await writer.write(text);
         await writer.close();
     };
+    window.removed = async (name) => (await folder()).removeEntry(name);
     window.text = async (name) => (await (await (await folder()).getFileHandle(name)).getFile()).text();
 }
 
@@ -182,6 +183,44 @@ test('what is typed while the file is written stays an edit', async () => {
     assert.match(await text('a.glib'), /^# one\r\ntwo # mine/);
     await put('a.glib', scene.replace('first', 'mine'));
     await shown('^# mine');
+});
+
+test('a file that is gone is an error, and one that comes back is none', async () => {
+    const missing = () => [...document.querySelectorAll('.editor-problems .problem.error')].some((each) => /a\.frag/.test(each.textContent));
+    await page.evaluate(() => window.removed('a.frag'));
+    await until(page, missing);
+    await new Promise((resolve) => setTimeout(resolve, 600));
+    assert.ok(await page.evaluate(missing), 'the text in the editor took the place of the file');
+    assert.equal((await page.$$eval('.editor-tabs button', (all) => all.map(({ title }) => title))).includes('room/a.frag'), false);
+    await put('a.frag', fragment('.8'));
+    await until(page, () => !document.querySelector('.editor-problems .problem.error'));
+});
+
+test('a scene that is gone stays in the page', async () => {
+    const before = await text('a.glib');
+    await page.evaluate(() => window.removed('a.glib'));
+    await message(/^'room\/a\.glib' is not in the folder any more/);
+    await shown('# mine');
+    await put('a.glib', before);
+    await until(page, () => !document.querySelector('.editor-problems .problem.error'));
+});
+
+test('a download of a folder saves nothing in it', async () => {
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await chord(page, 'Home');
+    await page.keyboard.type('# more\n');
+    await page.$$eval('.editor-buttons button', (all) => all.find(({ textContent }) => textContent.startsWith('Download .zip')).click());
+    await page.waitForSelector('.editor-tabs [data-edited=true]');
+    await press(page, 'Save', '.tools');
+    await until(page, async () => (await window.text('a.glib')).startsWith('# more'));
+    await put('a.glib', scene.replace('first', 'mine'));
+    await shown('^# mine');
+});
+
+test('no link leads to a folder', async () => {
+    await page.click('.menu > summary');
+    await press(page, 'Copy link', '.menu');
+    await message(/^A link leads to no files that were opened here/);
 });
 
 test('after a reload the folder is open again, with the values as they were', async () => {

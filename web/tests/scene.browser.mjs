@@ -118,6 +118,20 @@ test('a link keeps both bounds of a range, after the page is loaded again, and p
     assert.match(await page.$eval('.row.slider .name', ({ title }) => title), /^uA: -5 … 40\n/);
 });
 
+test('the link is copied, and says which edits it lacks', async () => {
+    await show('a.glib');
+    const copied = async (pattern) => {
+        await page.click('.menu > summary');
+        await page.$$eval('.menu button', (all) => all.find(({ textContent }) => textContent === 'Copy link').click());
+        await page.waitForFunction((text) => new RegExp(text).test(document.querySelector('.message').textContent), {}, pattern);
+    };
+    await copied('^The link to this picture is copied\\.$');
+    await page.click('#tab-text');
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await page.keyboard.type('# mine\n');
+    await copied("copied\\. It leads to the texts without the edits of 'a\\.glib'\\.$");
+});
+
 test('what an address asks for in vain is one message, and no problem of the scene', async () => {
     await show('a.glib', `#Foo.bar=1&P.uA=abc&%zz=1&P.uA:range=5,3&view=<b>x</b>&${'x'.repeat(500)}=1`);
     assert.match(await message(), /^The address asks for what this scene does not have: .*, and \d more\.$/);

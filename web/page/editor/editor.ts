@@ -45,16 +45,18 @@ function keepCaret(panel: HTMLElement, view: EditorView): void {
 }
 
 function downloads(host: EditorHost, session: Session) {
+    // Edits of a folder's texts are kept when they are in the folder.
+    const kept = (names: Iterable<string>) => host.folder || session.kept(names);
     const all = () => {
         const files = session.files();
         saveZip(host.scene, files);
-        session.kept(files.keys());
+        kept(files.keys());
     };
     const one = () => {
         const shown = session.current;
         if (!shown) return;
         saveBytes(shown.name, bytesOf(shown));
-        session.kept([shown.name]);
+        kept([shown.name]);
     };
     return { all, one };
 }
@@ -126,6 +128,7 @@ export function makeEditor(host: EditorHost): Editor {
         download: save.all,
         save: () => void living.save(),
         scenes: opening.scenes,
+        edited: () => session.edited(),
         openKept: opening.openKept,
     };
 }

@@ -31,7 +31,7 @@ export interface EditorHost {
     // with what the engine says.
     changed(files: Files, gone?: readonly string[]): void;
     // Another scene takes the place of this one: dropped, or chosen among the examples. The page calls opened().
-    openScene(name: string, files: Map<string, Uint8Array>, folder?: Folder): void;
+    openScene(name: string, files: Map<string, Uint8Array>, folder?: Folder): Promise<void>;
     // Names of the files that the scene reads.
     used(): string[];
     // The texts with the values as they are now.
@@ -50,12 +50,14 @@ export interface Editor {
     goTo(place: Place): void;
     // host.files and host.scene are others now. The page calls show() afterwards.
     opened(): void;
-    // Downloads the scene as a .zip with all edits, which are then no longer marked.
+    // Downloads the scene as a .zip with all edits, which are then no longer marked, unless they belong into a folder.
     download(): void;
     // Writes values and edits into the folder.
     save(): void;
     // The list of the scenes among the files.
     scenes(): void;
+    // Names of files whose edits were not saved.
+    edited(): string[];
     // Opens a folder of an earlier visit.
     openKept(folder: KeptFolder): void;
 }

@@ -29,7 +29,11 @@ export class Living {
         const { files, gone } = await folder.look([...host.used(), ...session.names()], all);
         if (folder !== host.folder || files.size + gone.length === 0) return;
         for (const name of session.edited()) if (files.has(name) && !(await this.#takes(name, files))) files.delete(name);
-        if (gone.length > 0) host.changed(new Map(), gone);
+        if (gone.length > 0) {
+            session.gone(gone);
+            host.changed(new Map(), gone);
+        }
+        if (gone.includes(host.scene)) host.say(`'${host.scene}' is not in the folder any more: download it to keep it.`);
         session.replaced(files);
     }
 

@@ -60,7 +60,7 @@ async function leave(author: Author, names: readonly string[]): Promise<boolean>
 }
 
 async function open(author: Author, scene: string, { files, folder }: Omit<Unpacked, 'messages'>): Promise<void> {
-    if (await leave(author, [...author.host.files.keys()])) author.host.openScene(scene, files, folder);
+    if (await leave(author, [...author.host.files.keys()])) await author.host.openScene(scene, files, folder);
 }
 
 async function add(author: Author, files: Map<string, Uint8Array>): Promise<void> {

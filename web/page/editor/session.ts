@@ -161,6 +161,18 @@ export class Session {
         else this.#edited();
     }
 
+    // These files are not on the disk any more; the scene itself and edits stay.
+    gone(names: readonly string[]): void {
+        const shown = this.#current?.name ?? '';
+        for (const name of names) {
+            const document = this.#documents.get(name);
+            if (!document || name === this.host.scene || isEdited(document)) continue;
+            this.#documents.delete(name);
+            if (name === shown) this.choose(this.#documents.keys().next().value ?? '');
+        }
+        this.#edited();
+    }
+
     // Files from outside, which belong to the scene from now on.
     add(files: Files): void {
         const shown = this.#current?.name ?? '';

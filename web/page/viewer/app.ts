@@ -95,6 +95,8 @@ export class Page {
     private endless: Problem | undefined;
     // What the author wants to be drawn all the same.
     private risked = '';
+    // The scene is the page's own, not one that was opened in it.
+    private own = true;
     private about: unknown; // of the message that is shown
     private silence: ReturnType<typeof setTimeout> | undefined;
 
@@ -145,7 +147,7 @@ export class Page {
             place: `${location.origin}${location.pathname}\n${data?.scene ?? ''}`,
             checker,
             changed: (changed, gone) => this.edited(changed, gone),
-            openScene: (name, opened, folder) => void this.openScene(name, opened, folder),
+            openScene: (name, opened, folder) => this.openScene(name, opened, folder),
             used: () => this.session.shown?.files.map((name) => resolve('', name)) ?? [],
             saved: () => engine.saved(),
             pictures: (some) => this.pictures(some),
@@ -342,14 +344,17 @@ export class Page {
     }
 
     private async copyLink(): Promise<void> {
+        if (!this.own) return this.say('A link leads to no files that were opened here: send the scene as .zip, or make a page of it by snell web.');
         this.address?.write();
+        const edited = this.editor?.edited() ?? [];
+        const without = edited.length > 0 ? ` It leads to the texts without the edits of ${edited.map((name) => `'${name}'`).join(', ')}.` : '';
         const copied = await copyText(location.href);
-        this.say(copied ? 'The link to this picture is copied.' : 'The browser does not allow copying: copy the address of the page.');
+        this.say(copied ? `The link to this picture is copied.${without}` : 'The browser does not allow copying: copy the address of the page.');
     }
 
     // What differs from the scene, for the address. Undefined: there is no scene, or one that a link cannot lead to.
     private settings(): Settings | undefined {
-        if (this.lost || !this.session.shown || !this.addressed(this.host!.scene)) return undefined;
+        if (this.lost || !this.session.shown || !this.addressed) return undefined;
         const { shown } = this.session;
         const { values, rungs, ranges, view } = this.session.engine.state();
         const time = shown.animated && !this.clock.playing && this.clock.time > 0 ? this.clock.time : undefined;
@@ -357,8 +362,8 @@ export class Page {
     }
 
     // The page's own scene, or that of a folder, which is open again after a reload.
-    private addressed(scene: string): boolean {
-        return scene === this.contents?.data?.scene || this.host?.folder !== undefined;
+    private get addressed(): boolean {
+        return this.own || this.host?.folder !== undefined;
     }
 
     // The address is another one: a link to the same page was followed.
@@ -370,8 +375,8 @@ export class Page {
     // Opens the scene with what the address says, and else with the values of the page.
     private open(scene: string, fragment: string): void {
         const { session, contents } = this;
-        const own = scene === contents?.data?.scene ? contents.data : undefined;
-        const addressed = this.addressed(scene);
+        const own = this.own ? contents?.data : undefined;
+        const { addressed } = this;
         const given = /^#?$/.test(fragment) ? undefined : fragment.replace(/^#initial$/, '#');
         const { settings, refused } = readFragment(addressed ? (given ?? '') : '');
         const from = given === undefined && own ? { ...settings, values: own.values, rungs: own.rungs, view: own.view } : settings;
@@ -441,6 +446,7 @@ export class Page {
         Object.assign(host, { scene, files: new Map(files), folder, place });
         void keepFolder(folder, scene);
         delete this.layout.app.dataset.scene;
+        this.own = false;
         this.session.forget();
         this.layout.link.hidden = true;
         this.layout.app.dataset.folder = String(folder !== undefined);
@@ -540,8 +546,7 @@ export class Page {
 
     private refreshTitle(): void {
         const { data } = this.contents!;
-        const own = this.host?.scene === data?.scene ? data?.title : undefined;
-        const title = own || pageName(this.host?.scene ?? '');
+        const title = (this.own && data?.title) || pageName(this.host?.scene ?? '');
         document.title = title;
         this.layout.title.textContent = title;
         this.canvas.setAttribute('aria-label', `Picture of ${title}: arrow keys turn it, plus and minus scale it`);

@@ -85,7 +85,7 @@ const keys: [string, string][] = [
     ['Enter or double click on a slider', 'type its number'],
     ['Enter or Tab in a number; Esc', 'apply it; restore the old one'],
     ['right click on a slider; the dot at its left', "reset it to the scene's value"],
-    ['Alt drag of a slider', 'fine adjustment'],
+    ['Alt or Shift drag of a slider', 'fine adjustment'],
     ["a slider's name", 'reset, logarithmic scale, animation'],
     ['?', 'show this list'],
 ];

@@ -24,11 +24,11 @@ export function makeDot(name: string, reset: () => void): { element: HTMLElement
     return { element, show: (changed) => void (element.style.visibility = changed ? 'visible' : 'hidden') };
 }
 
-// With Alt, the knob moves by a twentieth of the way, from where it is.
+// With Alt or Shift, the knob moves by a twentieth of the way, from where it is.
 function dragFine(input: HTMLInputElement, fraction: () => number, slide: (fraction: number) => void): void {
     let at: { x: number; fraction: number } | undefined;
     input.addEventListener('pointerdown', (event) => {
-        if (!event.altKey || event.button !== 0) return;
+        if (!(event.altKey || event.shiftKey) || event.button !== 0) return;
         event.preventDefault();
         input.focus();
         input.setPointerCapture(event.pointerId);
