@@ -314,4 +314,17 @@ test('scenes that are opened one after the other leave nothing behind', async ()
     for (const [i, name] of ['two.glib', 'three.glib', 'four.glib'].entries()) assert.deepEqual(await open(name, i + 2), first);
 });
 
+test('a scene that is opened while another one still reads its images has none of its files', async () => {
+    await show('a.glib');
+    await page.waitForSelector('.editor');
+    const text = 'Vertex v.vert\nFragment only.frag\nProgram Q uA <1. 2. 3.>\nSphere 1 30 30\n';
+    const image = `P6\n400 300\n255\n${'x'.repeat(360_000)}`; // large enough for the worker
+    await drop([['one.glib', text], ['v.vert', vertex], ['only.frag', files['s/a.frag']], ['big.ppm', image]]);
+    await drop([['two.glib', text], ['v.vert', vertex]]);
+    await page.waitForFunction(() => document.title === 'two');
+    await page.waitForFunction(() => /only\.frag/.test(document.querySelector('.problems').textContent));
+    await pause(500);
+    assert.match(await page.$eval('.problems', ({ textContent }) => textContent), /only\.frag/);
+});
+
 test('nothing was written to the console', () => assert.deepEqual(errors, []));
