@@ -314,6 +314,23 @@ test('scenes that are opened one after the other leave nothing behind', async ()
     for (const [i, name] of ['two.glib', 'three.glib', 'four.glib'].entries()) assert.deepEqual(await open(name, i + 2), first);
 });
 
+test('a section that is folded stays so in its scene only', async () => {
+    await show('a.glib');
+    await page.waitForSelector('.editor');
+    const open = () => page.$eval('.group details', ({ open }) => open);
+    await page.$eval('.group details', (details) => void (details.open = false));
+    await page.click('#tab-text');
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await page.keyboard.type('# mine\n');
+    await pause(1000);
+    assert.equal(await open(), false);
+    await drop([['b.glib', 'Vertex v\nFragment f\nProgram P uA <1. 2. 3.>\nSphere 1 30 30\n'], ['v', vertex], ['f', files['s/a.frag']]]);
+    await (await page.waitForSelector('dialog[open] ::-p-text(Discard the edits)')).click();
+    await page.waitForFunction(() => document.title === 'b');
+    await sharp();
+    assert.equal(await open(), true);
+});
+
 test('a scene that is opened while another one still reads its images has none of its files', async () => {
     await show('a.glib');
     await page.waitForSelector('.editor');

@@ -89,6 +89,7 @@ export function makePanel(session: Session, split: HTMLElement, say: Say, time: 
     const element = el('div', { class: 'controls' }, ladders, list);
     let groups: Group[] = [];
     let before = '';
+    let scene: string | undefined;
 
     const build = () => {
         const programs = [...new Set(session.controls.map(({ program }) => program))];
@@ -115,8 +116,11 @@ export function makePanel(session: Session, split: HTMLElement, say: Say, time: 
         const again = list.contains(document.activeElement) ? focused : undefined;
         const now = JSON.stringify(session.controls.map(({ key }) => key));
         const scroll = now === before ? (element.parentElement?.scrollTop ?? 0) : 0;
-        const closed = new Set(groups.filter((group) => !group.element.querySelector('details')?.open).map((group) => group.rows[0]?.names));
+        // Another scene begins with all of its sliders.
+        const old = session.shown?.scene === scene ? groups : [];
+        const closed = new Set(old.filter((group) => !group.element.querySelector('details')?.open).map((group) => group.rows[0]?.names));
         before = now;
+        scene = session.shown?.scene;
         build();
         for (const group of groups) if (closed.has(group.rows[0]?.names)) group.element.querySelector('details')!.open = false;
         refresh();
