@@ -88,6 +88,8 @@ TEST(CliShots, PlaceholdersTakeFormats) {
     EXPECT_NE(pattern_error({"s"}, {"uEta=1,2"}, "{uEtta}.png").find("did you mean {uEta}?"), std::string::npos);
     for (const char* pattern : {"{uEta", "uEta}.png", "{uEta:.2q}.png", "{}.png", "{uEta:d}{uMix}.png"})
         pattern_error({"s"}, {"uEta=1.5,2"}, pattern);
+    for (const char* pattern : {"{n:0999999999}.png", "{n:.999999999f}.png", "{n:99999999999999999999}.png"})
+        EXPECT_NE(pattern_error({"s"}, {"n=1,2"}, pattern).find("characters of a file's name"), std::string::npos);
 }
 
 TEST(CliShots, TwoPicturesNeverBecomeOneFile) {

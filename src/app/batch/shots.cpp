@@ -281,6 +281,15 @@ std::string unknown_name(std::string_view name, const std::vector<std::string>& 
                         : fmt::format("there is no {{{}}}: did you mean {{{}}}?", name, near);
 }
 
+constexpr double longest_name = 255;
+
+// The largest number in a format: memory is taken for as many characters.
+double widest(std::string_view format) {
+    double most = 0, number = 0;
+    for (const char c : format) most = std::max(most, number = c >= '0' && c <= '9' ? 10 * number + (c - '0') : 0);
+    return most;
+}
+
 // Formats the value with a format of fmt, which may be one for whole numbers.
 std::optional<std::string> formatted(const std::string& format, const AxisValue& value) {
     try {
@@ -328,6 +337,11 @@ std::optional<Pattern> Pattern::parse(std::string_view text, const std::vector<s
         piece.name = static_cast<std::size_t>(name - names.begin());
         piece.placeholder = fmt::format("{{{}}}", inside);
         if (colon < inside.size()) piece.format = fmt::format("{{{}}}", inside.substr(colon));
+        if (widest(piece.format) > longest_name) {
+            error = fmt::format("'{}' asks for more than the {} characters of a file's name", piece.placeholder,
+                                longest_name);
+            return std::nullopt;
+        }
         pattern.pieces_.push_back({"", names.size(), "", ""});
         i = end;
     }
