@@ -1,6 +1,6 @@
 // What draws a scene, as the page sees it.
 
-// Lines and columns begin at 1; columns count bytes of UTF-8, as in every message of snell.
+// Lines and columns begin at 1; columns count characters, as in every message of snell.
 export interface Place {
     file: string;
     line: number;
