@@ -263,7 +263,7 @@ Areas areas(Memory& memory) {
     Areas result;
     result.scene = {0, 0, std::max(1.0F, all.x - width), std::max(1.0F, all.y - line)};
     result.status = {0, all.y - line, std::max(1.0F, all.x - width), line};
-    result.panel = {all.x - width, 0, width, all.y};
+    result.panel = {all.x - width, memory.above, width, std::max(1.0F, all.y - memory.above - memory.below)};
     return result;
 }
 
@@ -430,7 +430,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
         status_line(facts, parts.status, memory, layout);
         overlays(facts, parts.scene, controls, fonts, memory, layout);
     }
-    problems_panel(facts, parts.scene, fonts, memory, requests, layout);
+    const float begin = problems_panel(facts, parts.scene, fonts, memory, requests, layout);
     if (no_scene_open(facts) && !memory.browser.open && has_room(parts.scene, words_room) &&
         no_scene(parts.scene, layout))
         open_browser({}, memory, requests);
@@ -438,7 +438,11 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
     const float end = state_bar(facts, parts.scene, memory.accuracy, layout);
-    notices(facts, parts.scene, end, memory, requests, layout);
+    const float first =
+        notices(facts, {parts.scene.x, begin, parts.scene.width, end - begin}, memory, requests, layout);
+    const bool shares = memory.panel && !has_room(parts.scene);
+    memory.above = shares ? begin : 0;
+    memory.below = shares && first < parts.scene.height ? ImGui::GetIO().DisplaySize.y - first : 0;
     pixel_keys(parts.scene, memory.pixels);
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     texel_inspector(facts, memory.textures, fonts, layout);

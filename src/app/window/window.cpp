@@ -151,7 +151,7 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
           carried ? &carried->recovery : nullptr, past),
       measuring_(options.scene, caps_),
       hang_(restart.hang_watch(options.timeout)) {
-    restore(workspace_.settings(), interface_.memory());
+    restore(workspace_.settings(), options.scene, interface_.memory());
     if (!carried) {
         workspace_.begin(interface_.view(), interface_.memory().notice);
         return;
@@ -390,7 +390,7 @@ void App::keep_picture() {
 
 void App::reload() {
     restart_.trying();
-    workspace_.reload(interface_.view(), interface_.memory().notice);
+    workspace_.reload(interface_.view(), interface_.memory());
     measuring_.leave();
     settle(until_equal);
 }
@@ -399,7 +399,7 @@ void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
     keep_picture();
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
-        interface_.memory().failure = {utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}};
+        interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }
     interface_.begin_scene();

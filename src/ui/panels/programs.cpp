@@ -451,7 +451,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
         }
         if (any(controls, index, unlisted)) {
             ImGui::Separator();
-            ImGui::TextDisabled("not on the Program line");
+            wrapped("not on the Program line", true);
             rows(controls, index, section, unlisted);
         }
         ImGui::Unindent(indent);
