@@ -434,6 +434,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (no_scene_open(facts) && !memory.browser.open && has_room(parts.scene, words_room) &&
         no_scene(parts.scene, layout))
         open_browser({}, memory, requests);
+    first_picture(facts, parts.scene, layout);
     blank_halves(facts, parts.scene, memory.accuracy);
     if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);

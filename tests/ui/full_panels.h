@@ -168,6 +168,10 @@ public:
                  long_name + long_name,
              {}});
     }
+    void first_picture() {
+        programs();
+        facts_.first_picture = true;
+    }
     void failures() {
         messages();
         using Remedy = Failure::Remedy;

@@ -65,6 +65,7 @@ struct Facts {
     std::span<const Problem> problems;     // of the files as they are now
     bool stale = false;                    // the picture shows an earlier version of the files
     bool incomplete = false;               // that version has errors, too
+    bool first_picture = false;            // it is drawn next: no picture of the scene is there yet
     std::uint64_t revision = 0;            // increases each time the files are read
     bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
     double time = 0;                       // seconds since the scene began
