@@ -483,6 +483,15 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     ASSERT_EQ(failures.open.size(), 2U) << "another scene was opened";
     EXPECT_EQ(failures.open[0].remedy, Remedy::editor);
     failures.done(Remedy::editor);
+    ASSERT_EQ(failures.open.size(), 1U);
+    // What would say the same is said once.
+    for (int i = 5; i < 8; ++i) {
+        failures.add({"there is no snapshot " + std::to_string(i), Remedy::absent, {}, i});
+        failures.add({"false ended with status 1", Remedy::editor, {"/a.frag", i, 1}});
+    }
+    ASSERT_EQ(failures.open.size(), 3U);
+    EXPECT_EQ(pressed("failure.again").edit.line, 7);
+    EXPECT_EQ(pressed("failure.store").store_snapshot, 7);
     EXPECT_EQ(failures.open.size(), 1U);
 }
 

@@ -211,11 +211,12 @@ bool of_saving(Remedy remedy) {
     return remedy == Remedy::reload || remedy == Remedy::save || remedy == Remedy::save_as;
 }
 
-// True if both are of the same request.
+// True if both are of the same request, or say the same.
 bool same(const Failure& a, const Failure& b) {
     if (of_saving(a.remedy) && of_saving(b.remedy)) return true;
     if (a.remedy != b.remedy) return false;
-    return a.remedy == Remedy::none ? a.text == b.text : a.place.file == b.place.file && a.snapshot == b.snapshot;
+    if (a.remedy == Remedy::none || a.remedy == Remedy::editor) return a.text == b.text;
+    return a.remedy == Remedy::absent || (a.place.file == b.place.file && a.snapshot == b.snapshot);
 }
 
 // What the user can do about it, as buttons. Returns true if one was pressed. `name` is that of the failure.
@@ -233,6 +234,7 @@ bool remedies(const Failure& failure, const std::string& name, Memory& memory, R
     if (of_saving(remedy)) offer("Save as\u2026", ".save as", [&] { requests.save_as = true; });
     if (remedy == Remedy::store) offer("Try again", ".again", [&] { requests.store_snapshot = failure.snapshot; });
     if (remedy == Remedy::recall) offer("Try again", ".again", [&] { requests.restore_snapshot = failure.snapshot; });
+    if (remedy == Remedy::absent) offer("Store it", ".store", [&] { requests.store_snapshot = failure.snapshot; });
     if (remedy == Remedy::open)
         offer("Open\u2026", ".open", [&] {
             open_browser({}, memory, requests);

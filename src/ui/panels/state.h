@@ -107,9 +107,9 @@ inline constexpr double hint_seconds = 4;
 struct Failure {
     // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
     // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
-    // opens, until one does. store, recall: the same snapshot again, until that succeeds. open: another scene, with the
-    // name that was refused in the field.
-    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, open };
+    // opens, until one does. store, recall: the same snapshot again, until that succeeds. absent: there is no such
+    // snapshot, until one is stored. open: another scene, with the name that was refused in the field.
+    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, absent, open };
     std::string text;
     Remedy remedy = Remedy::none;
     Place place = {};  // where the editor was to open; the file that could not be opened

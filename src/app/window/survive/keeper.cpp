@@ -26,8 +26,10 @@ void restore(int number, Document& document, ui::Memory& memory) {
     const Restored restored = restore_snapshot(number, document);
     if (!restored.error.empty()) {
         const bool none = restored.error.starts_with("there is no snapshot");
-        memory.failures.add(
-            {restored.error + (none ? fmt::format(". Ctrl+{} stores one", number) : ""), Remedy::recall, {}, number});
+        memory.failures.add({restored.error + (none ? fmt::format(". Ctrl+{} stores one", number) : ""),
+                             none ? Remedy::absent : Remedy::recall,
+                             {},
+                             number});
         return;
     }
     const std::string lost =
@@ -111,7 +113,7 @@ void Keeper::store(int number, const Document& document, ui::Memory& memory, Ser
         memory.failures.add({fmt::format("snapshot {} is not stored: {}", number, error), Remedy::store, {}, number});
         return;
     }
-    for (const Remedy mended : {Remedy::store, Remedy::recall}) memory.failures.done(mended, number);
+    for (const Remedy mended : {Remedy::store, Remedy::recall, Remedy::absent}) memory.failures.done(mended, number);
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
     memory.notice = fmt::format("snapshot {} is in {}", number, short_name(file));
