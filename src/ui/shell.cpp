@@ -390,13 +390,6 @@ void hint(const Rect& scene, Memory& memory, Layout& layout) {
     layout.place("hint", {at.x, at.y, size.x, size.y});
 }
 
-// What lies over the picture, except for what must be seen even where everything is hidden.
-void overlays(const Facts& facts, const Rect& scene, const Controls& controls, const Fonts& fonts, Memory& memory,
-              Layout& layout) {
-    if (memory.labels) value_labels(facts, controls, scene, fonts);
-    flags_legend(facts, scene, memory.pixels, layout);
-}
-
 }  // namespace
 
 float fitting_scale(float wanted, float width) {
@@ -428,9 +421,13 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (memory.panel) {
         panel_window(facts, parts.panel, controls, view, memory, layout, requests);
         status_line(facts, parts.status, memory, layout);
-        overlays(facts, parts.scene, controls, fonts, memory, layout);
+        if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     }
-    const float begin = problems_panel(facts, parts.scene, fonts, memory, requests, layout);
+    float begin = problems_panel(facts, parts.scene, fonts, memory, requests, layout);
+    // Where both need the panel's room, errors go first.
+    if (memory.panel && (begin <= parts.scene.y || has_room(parts.scene)))
+        begin = flags_legend(facts, {parts.scene.x, begin, parts.scene.width, parts.scene.height - begin},
+                             memory.pixels, layout);
     if (no_scene_open(facts) && !memory.browser.open && has_room(parts.scene, words_room) &&
         no_scene(parts.scene, layout))
         open_browser({}, memory, requests);

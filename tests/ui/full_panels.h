@@ -244,6 +244,10 @@ public:
         memory_.pixels.flags = true;
         memory_.open.emplace("Pixels");
     }
+    void marked_errors() {
+        pixels();
+        errors();
+    }
     void inspected() {
         found_.x = 1234;
         found_.y = 1234;
@@ -440,7 +444,7 @@ protected:
     static std::vector<std::string> covered() {
         std::vector<const ImGuiWindow*> seen;
         for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
-            for (const char* name : {"##panel", "##problems", "##warnings", "##states", "##message", "##failure"})
+            for (const char* name : {"##panel", "##problems", "##warnings", "##states", "##message", "##legend"})
                 if (window->Active && !window->Hidden && window->ParentWindow == nullptr &&
                     std::string_view(window->Name).starts_with(name)) {
                     seen.push_back(window);

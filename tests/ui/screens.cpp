@@ -83,6 +83,7 @@ const Panel panels[] = {
     {"refused-folder", "browser.cancel", &Screens::refused_folder},
     {"view", "background", &Screens::view},
     {"pixels", "flags", &Screens::pixels},
+    {"marked-errors", "problems.hide", &Screens::marked_errors},
     {"inspector", "inspector", &Screens::inspected},
     {"textures", "textures.picture", &Screens::textures},
     {"frame-cost", "frame cost.plot", &Screens::frame_cost},
