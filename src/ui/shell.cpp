@@ -419,7 +419,9 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (!memory.panel || memory.tab != Tab::tools || !facts.scene)
         memory.costs = memory.textures.open = memory.textures.inspecting = false;
     if (memory.panel) {
-        panel_window(facts, parts.panel, controls, view, memory, layout, requests);
+        // In the smallest windows nothing may be left of it until errors are hidden.
+        if (parts.panel.height >= 2 * ImGui::GetFontSize())
+            panel_window(facts, parts.panel, controls, view, memory, layout, requests);
         status_line(facts, parts.status, memory, layout);
         if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     }

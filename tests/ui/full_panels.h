@@ -168,6 +168,11 @@ public:
                  long_name + long_name,
              {}});
     }
+    void everything() {
+        two_states();
+        errors();
+        failures();
+    }
     void first_picture() {
         programs();
         facts_.first_picture = true;

@@ -74,6 +74,7 @@ const Panel panels[] = {
     {"values", "Glass.uEta", &Screens::values},
     {"errors", "problem.0", &Screens::errors},
     {"messages", "message.ok", &Screens::messages},
+    {"everything", "problems.hide", &Screens::everything},
     {"first-picture", "first picture", &Screens::first_picture},
     {"failures", "failure.again", &Screens::failures},
     {"costs", "costs.Images", &Screens::costs},

@@ -299,7 +299,8 @@ float problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts
         memory.problems_hidden = false;
     }
     std::erase_if(memory.failures.open, [&](const Failure& failure) { return mended(failure, read_again, facts); });
-    const Rect scene = with_room(picture);
+    Rect scene = with_room(picture);
+    if (memory.below > 0) scene.height = std::max(1.0F, ImGui::GetIO().DisplaySize.y - memory.below);
     float bottom = scene.y;
     push_dark();
     if (count(facts.problems, Severity::error) > 0) {
@@ -315,9 +316,11 @@ float problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts
 float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& requests, Layout& layout) {
     Rect scene = with_room(free);
     const float end = free.y + free.height, first = end - ImGui::GetStyle().WindowPadding.x;
-    // Where they need the panel's room, some of the panel is seen above them, but one of them is seen in any case.
-    if (!has_room(free)) scene.y += scene.height / 2;
-    scene.y = std::max(0.0F, std::min(scene.y, end - 7 * ImGui::GetFontSize()));
+    // Where they need the panel's room, some of the panel is seen above them. One of them is seen in any case, but
+    // where errors need that room as well: these are read, and hidden, first.
+    const bool narrow = !has_room(free);
+    if (narrow) scene.y += scene.height / 2;
+    if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 7 * ImGui::GetFontSize()));
     float bottom = first;
     int index = 0;
     failure_boxes(scene, bottom, memory, requests, layout);
