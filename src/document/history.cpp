@@ -127,9 +127,10 @@ void History::follow_text(const std::string& name, const Control& old, const Con
            numbers_text({control.initial_min, control.initial_max}));
 }
 
-void History::reread(const Scene& scene, const Controls& controls, const View& view) {
+void History::reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving) {
     before_ = {};
     Controls now = controls;
+    rest(scene, now, moving);
     const std::vector<std::string> names = control_names(scene, controls);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto found = ranges::find(names_, names[i]);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -150,7 +151,7 @@ std::unique_ptr<Window> Window::make(const WindowRequest& request, std::string& 
     return std::unique_ptr<Window>(new Window(handle));
 }
 
-Window::Window(GLFWwindow* handle) : handle_(handle) {
+Window::Window(GLFWwindow* handle) : handle_(handle), looked_(now()) {
     GLFW(SetWindowUserPointer)(handle_, this);
     GLFW(MakeContextCurrent)(handle_);
     GLFW(SwapInterval)(1);
@@ -171,8 +172,8 @@ Window::~Window() {
 Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(GLFW(GetWindowUserPointer)(handle)); }
 
 void Window::push(Event event) {
-    event.since = looked_;
     event.seen = now();
+    event.since = std::min(looked_, event.seen);
     // Only the last of several consecutive moves matters, and hundreds can gather during a slow frame.
     if (event.kind == Event::Kind::move && !events_.empty() && events_.back().kind == Event::Kind::move)
         events_.back() = event;
@@ -249,10 +250,11 @@ void Window::set_full_screen(bool full) {
 bool Window::full_screen() const { return GLFW(GetWindowMonitor)(handle_) != nullptr; }
 
 void Window::wait(double seconds) {
-    if (seconds > 0)
+    GLFW(PollEvents)();
+    if (seconds > 0 && events_.empty() && !closing()) {
+        looked_ = std::numeric_limits<double>::infinity();  // what comes now is seen at once
         GLFW(WaitEventsTimeout)(seconds);
-    else
-        GLFW(PollEvents)();
+    }
     looked_ = now();
 }
 

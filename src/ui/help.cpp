@@ -39,10 +39,10 @@ std::span<const KeyRow> key_rows() {
         {"arrow keys; with Shift; Page keys", "change that value: in steps; fine; coarse"},
         {"Enter; Esc", "type that value, switch or press it; restore the old one"},
         {"Menu key or Shift F10", "open that value's menu: reset, logarithmic scale, animation"},
+        {"right click on a value's name", "open the same menu"},
         {"Esc while dragging", "restore what was before the drag"},
         {"slider: double click or Ctrl click", "type a number"},
         {"slider: right click; Shift or Alt drag", "reset to the scene's value; fine adjustment"},
-        {"slider: right click left of its track", "reset, logarithmic scale, animation"},
         {"ladder: right click", "reset to the scene's rung"},
     };
     return rows;

@@ -263,7 +263,7 @@ Areas areas(Memory& memory) {
     Areas result;
     result.scene = {0, 0, std::max(1.0F, all.x - width), std::max(1.0F, all.y - line)};
     result.status = {0, all.y - line, std::max(1.0F, all.x - width), line};
-    result.panel = {all.x - width, 0, width, all.y};
+    result.panel = {all.x - width, memory.above, width, std::max(1.0F, all.y - memory.above - memory.below)};
     return result;
 }
 
@@ -390,13 +390,6 @@ void hint(const Rect& scene, Memory& memory, Layout& layout) {
     layout.place("hint", {at.x, at.y, size.x, size.y});
 }
 
-// What lies over the picture, except for what must be seen even where everything is hidden.
-void overlays(const Facts& facts, const Rect& scene, const Controls& controls, const Fonts& fonts, Memory& memory,
-              Layout& layout) {
-    if (memory.labels) value_labels(facts, controls, scene, fonts);
-    flags_legend(facts, scene, memory.pixels, layout);
-}
-
 }  // namespace
 
 float fitting_scale(float wanted, float width) {
@@ -426,19 +419,30 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     if (!memory.panel || memory.tab != Tab::tools || !facts.scene)
         memory.costs = memory.textures.open = memory.textures.inspecting = false;
     if (memory.panel) {
-        panel_window(facts, parts.panel, controls, view, memory, layout, requests);
+        // In the smallest windows nothing may be left of it until errors are hidden.
+        if (parts.panel.height >= 2 * ImGui::GetFontSize())
+            panel_window(facts, parts.panel, controls, view, memory, layout, requests);
         status_line(facts, parts.status, memory, layout);
-        overlays(facts, parts.scene, controls, fonts, memory, layout);
+        if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     }
-    problems_panel(facts, parts.scene, fonts, memory, requests, layout);
+    float begin = problems_panel(facts, parts.scene, fonts, memory, requests, layout);
+    // Where both need the panel's room, errors go first.
+    if (memory.panel && (begin <= parts.scene.y || has_room(parts.scene)))
+        begin = flags_legend(facts, {parts.scene.x, begin, parts.scene.width, parts.scene.height - begin},
+                             memory.pixels, layout);
     if (no_scene_open(facts) && !memory.browser.open && has_room(parts.scene, words_room) &&
         no_scene(parts.scene, layout))
         open_browser({}, memory, requests);
+    first_picture(facts, parts.scene, layout);
     blank_halves(facts, parts.scene, memory.accuracy);
     if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
     const float end = state_bar(facts, parts.scene, memory.accuracy, layout);
-    notices(facts, parts.scene, end, memory, requests, layout);
+    const float first =
+        notices(facts, {parts.scene.x, begin, parts.scene.width, end - begin}, memory, requests, layout);
+    const bool shares = memory.panel && !has_room(parts.scene);
+    memory.above = shares ? begin : 0;
+    memory.below = shares && first < parts.scene.height ? ImGui::GetIO().DisplaySize.y - first : 0;
     pixel_keys(parts.scene, memory.pixels);
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     texel_inspector(facts, memory.textures, fonts, layout);

@@ -100,7 +100,7 @@ void add_keys(const Facts& facts, Parts& parts) {
 }
 
 void add_cost(const Facts& facts, Parts& parts) {
-    if (!facts.scene) return;
+    if (!facts.scene || facts.first_picture) return;
     // Widths of their own, so that the line is quiet while the numbers change.
     if (facts.animated) {
         Part& time = parts.add("status.time", 40, Text("t = {:.2f} s", facts.time).view());
@@ -194,6 +194,19 @@ void loading(const std::string& text, double share) {
     fitted(text, ImGui::GetContentRegionAvail().x);
     ImGui::ProgressBar(static_cast<float>(std::clamp(share, 0., 1.)), {-1, .5F * em}, "");
     ImGui::End();
+}
+
+void first_picture(const Facts& facts, const Rect& scene, Layout& layout) {
+    if (!facts.first_picture) return;
+    const float em = ImGui::GetFontSize();
+    const Text text = shortened(Text("Drawing the first picture of {}\u2026", facts.file).view(), scene.width - 3 * em);
+    const ImVec2 size(width_of(text.view()) + 2 * em, 2 * em);
+    const ImVec2 at(std::round(scene.x + (scene.width - size.x) / 2),
+                    std::round(scene.y + (scene.height - size.y) / 2));
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, pack(palette().problem_background), em * .4F);
+    list.AddText({at.x + em, at.y + em * .5F}, pack(palette().problem_text), text.begin(), text.end());
+    layout.place("first picture", {at.x, at.y, size.x, size.y});
 }
 
 }  // namespace snell::ui

@@ -16,4 +16,7 @@ void status_line(const Facts& facts, const Rect& status, Memory& memory, Layout&
 // Draws a bar in the middle of the screen, filled to `share` (0 to 1), with a line of text above it.
 void loading(const std::string& text, double share);
 
+// Says over the picture's area that the first picture of the scene is being drawn.
+void first_picture(const Facts& facts, const Rect& scene, Layout& layout);
+
 }  // namespace snell::ui

@@ -211,11 +211,16 @@ TEST(WindowSettings, ComeBack) {
     EXPECT_EQ(read_settings(file), settings);
     EXPECT_EQ(folder.entries(), 3u) << "nothing is left beside it";
     ui::Memory memory;
-    restore(settings, memory);
+    restore(settings, "/x/../a.glib", memory);
     Settings again;
     gather(memory, again);
-    EXPECT_EQ(again.theme, ui::Theme::contrast);
     EXPECT_TRUE(again.tools);
+    ui::Memory next;
+    carry_looks(memory, next);
+    EXPECT_EQ(next.tab, ui::Tab::controls) << "another scene begins with its sliders";
+    restore(settings, "/c.glib", next);
+    EXPECT_EQ(next.tab, ui::Tab::controls) << "also in the next window";
+    EXPECT_EQ(again.theme, ui::Theme::contrast);
     EXPECT_EQ(again.zoom, 1.5);
     EXPECT_EQ(again.open, settings.open);
 }
@@ -262,7 +267,8 @@ TEST(DroppedFiles, TheFirstSceneAmongThemIsOpened) {
     EXPECT_EQ(opener.serve_dropped({text, scene}, memory), scene);
     EXPECT_EQ(opener.serve_dropped({folder.path("B.GLIB")}, memory), folder.path("B.GLIB")) << "as on Windows";
     EXPECT_EQ(opener.serve_dropped({text}, memory), std::nullopt);
-    EXPECT_NE(memory.failure.text.find("a.txt"), std::string::npos);
+    ASSERT_EQ(memory.failures.open.size(), 1U);
+    EXPECT_NE(memory.failures.open[0].text.find("a.txt"), std::string::npos);
     EXPECT_FALSE(memory.browser.open);
     EXPECT_EQ(opener.serve_dropped({folder.path()}, memory), std::nullopt);
     EXPECT_TRUE(memory.browser.open) << "a folder is looked into";

@@ -52,12 +52,12 @@ protected:
     std::string undo() { return history_.undo(state()); }
     std::string redo() { return history_.redo(state()); }
     // The text was edited: the values carry over as in a session.
-    void edit(Scene scene) {
+    void edit(Scene scene, std::span<const Animated> moving = {}) {
         Controls next = fresh(scene);
         carry_over(controls_, scene_, next, scene);
         scene_ = std::move(scene);
         controls_ = std::move(next);
-        history_.reread(scene_, controls_, view_);
+        history_.reread(scene_, controls_, view_, moving);
     }
 
     Scene scene_;
@@ -206,6 +206,26 @@ TEST_F(Undo, AMotionOutlivesEditsOfTheText) {
     EXPECT_FALSE(history_.follow(scene_, controls_, view_, {.moving = moving}));
     EXPECT_TRUE(step());
     EXPECT_EQ(undo(), "undo: Glass.uMix 0.9 \u2192 0.5");
+}
+
+TEST_F(Undo, ASaveDuringAMotionKeepsWhereItBegan) {
+    const std::vector<Animated> moving{{0, "uEta"}};
+    value(0) = .7;
+    step();
+    const auto moved_to = [&](double at) {
+        value(0) = at;
+        EXPECT_FALSE(history_.follow(scene_, controls_, view_, {.moving = moving})) << at;
+    };
+    moved_to(1.2);
+    for (const double written : {1.2, .5}) {  // a save, and its undo
+        Scene text = scene({"uEta", "uMix"});
+        text.programs[0].uniforms[0].values[1] = written;
+        edit(text, moving);
+        moved_to(1.5);
+    }
+    EXPECT_TRUE(step()) << "the motion has ended";
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.5 \u2192 0.7");
+    EXPECT_EQ(undo(), "undo: Glass.uEta 0.7 \u2192 0.5");
 }
 
 TEST_F(Undo, TheHistoriesThatWereUsedLastAreKept) {

@@ -66,6 +66,24 @@ TEST_F(Keep, SavedValuesChangeOnlyTheirNumbersAndAreUndoneAlone) {
     EXPECT_EQ(bytes("scene.glib"), scene);
 }
 
+TEST_F(Keep, OfASceneThatIsGoneTheSaveIsNotUndoneAndItIsSavedAsAnother) {
+    open("scene.glib");
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    choose("save", "save");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    std::filesystem::remove(file("scene.glib"));
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    settle();
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["failure"] != ""; }));
+    EXPECT_EQ(state()["failure"], "not undone: scene.glib is gone");
+    click("failure.save as");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    user("key Return");
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == false && s["failure"] == ""; }));
+    EXPECT_NE(bytes("scene.glib"), "");
+}
+
 TEST_F(Keep, AnEditAfterASaveIsNotUndoneWithIt) {
     open("scene.glib");
     drag(on("Paint.uRed", .2), on("Paint.uRed", .75));

@@ -51,5 +51,27 @@ TEST_F(Loading, ABarStandsOverTheOldPictureUntilTheNewOneIsThere) {
     EXPECT_TRUE(bar);
 }
 
+// Until the first picture of a scene is there, however long it takes.
+TEST_F(Loading, ThePanelsAreThereBeforeTheFirstPicture) {
+    save("scene.glib", scene("paint.frag", "1. 0. 0."));
+    save("slow.frag",
+         "uniform vec3 uPaint;\nuniform float uTimes;\nvoid main() {\n    float sum = 0.;\n"
+         "    for (float i = 0.; i < uTimes; i += 1.) sum += sin(sum + i + gl_FragCoord.x);\n"
+         "    gl_FragColor = vec4(uPaint + 1e-9 * sum, 1.);\n}\n");
+    save("slow.glib",
+         "Ortho -1 1 -1 1\nVertex paint.vert\nFragment slow.frag\n"
+         "Program Paint uPaint [0. 1. 0.] uTimes <0. 200. 1000.>\nQuadXY 0. 9.\n");
+    open("scene.glib");
+    EXPECT_EQ(middle(look()), red);
+    ASSERT_TRUE(drop_files(display_, {file("slow.glib")}));
+    bool said = false;
+    Picture picture = look();
+    for (int looks = 0; looks < 400 && corner(picture) != green; ++looks, picture = look())
+        said = said || (corner(picture) != green && middle(picture) != red);
+    EXPECT_EQ(corner(picture), green);
+    EXPECT_EQ(middle(look()), green);
+    EXPECT_TRUE(said);
+}
+
 }  // namespace
 }  // namespace snell::test

@@ -168,6 +168,24 @@ public:
                  long_name + long_name,
              {}});
     }
+    void everything() {
+        two_states();
+        errors();
+        failures();
+    }
+    void first_picture() {
+        programs();
+        facts_.first_picture = true;
+    }
+    void failures() {
+        messages();
+        using Remedy = Failure::Remedy;
+        facts_.changed = true;
+        for (int number = 1; number <= 4; ++number)
+            memory_.failures.add({"snapshot is not stored: no space left", Remedy::store, {}, number});
+        memory_.failures.add({long_path + " ended with status 4", Remedy::editor, {"/a.frag", 1, 1}});
+        memory_.failures.add({"not saved: room.glib: no space left on the device", Remedy::save});
+    }
     void costs() {
         memory_.tab = Tab::tools;
         using Kind = Explanation::Kind;
@@ -230,6 +248,10 @@ public:
         facts_.pixels = &pixels_;
         memory_.pixels.flags = true;
         memory_.open.emplace("Pixels");
+    }
+    void marked_errors() {
+        pixels();
+        errors();
     }
     void inspected() {
         found_.x = 1234;
@@ -423,7 +445,29 @@ protected:
         }
         return found;
     }
+    // What lies over the picture, of the panel and of each other.
+    static std::vector<std::string> covered() {
+        std::vector<const ImGuiWindow*> seen;
+        for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+            for (const char* name : {"##panel", "##problems", "##warnings", "##states", "##message", "##legend"})
+                if (window->Active && !window->Hidden && window->ParentWindow == nullptr &&
+                    std::string_view(window->Name).starts_with(name)) {
+                    seen.push_back(window);
+                    break;
+                }
+        std::vector<std::string> found;
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (ImRect both = seen[i]->Rect(); both.Overlaps(seen[j]->Rect())) {
+                    both.ClipWith(seen[j]->Rect());
+                    if (both.GetWidth() > 1 && both.GetHeight() > 1)
+                        found.push_back(fmt::format("{} covers {} by {} x {}", seen[i]->Name, seen[j]->Name,
+                                                    both.GetWidth(), both.GetHeight()));
+                }
+        return found;
+    }
     void expect_legible(const std::string& where) {
+        for (const std::string& window : covered()) ADD_FAILURE() << where << ": " << window;
         for (const std::string& window : off_the_screen()) ADD_FAILURE() << where << ": " << window;
         for (const std::string& flaw : flaws(*ImGui::GetDrawData())) ADD_FAILURE() << where << ": " << flaw;
         if (memory_.browser.open || memory_.picture.open || memory_.save_as.open) return;

@@ -44,6 +44,13 @@ TEST_F(UiKeep, SaveAsSaysInWhichFolder) {
     EXPECT_FALSE(has("save as folder"));
 }
 
+TEST_F(UiKeep, TheTimeHasItsUnit) {
+    facts_.animated = true;
+    const Rect field = place("time"), unit = place("time.unit");
+    EXPECT_EQ(unit.width, ImGui::CalcTextSize("s").x);
+    EXPECT_LT(unit.x - field.x - field.width, ImGui::GetFontSize());
+}
+
 TEST_F(UiKeep, RewindBeginsAgainAndGoesOn) {
     facts_.animated = true;
     memory_.clock.time = 7.5;

@@ -220,9 +220,13 @@ TEST_F(UiTest, ClicksAreCountedByTheirTimesNotByFrames) {
     double& value = controls_.items[0].value[0];
     for (const Row& row : {Row{"the second one came during the frame of the first", {10, 10}, {10.01, 11}, true},
                            Row{"both came during one frame", {22, 23}, {22, 23}, true},
+                           Row{"during one of two seconds", {24, 26}, {24, 26}, true},
+                           Row{"one in each of two frames of half a second", {27, 27.5}, {27.5, 28}, true},
                            Row{"the second one was seen at once", {30, 30}, {30.2, 30.21}, true},
+                           Row{"one in each of two frames of a second", {32, 33}, {33, 34}, false},
                            Row{"for half a second there was none", {40, 40}, {40.5, 41.5}, false},
-                           Row{"they are far apart", {50, 50}, {54, 54}, false}}) {
+                           Row{"they are far apart", {50, 50}, {54, 54}, false},
+                           Row{"during the first picture, which took half a minute", {60, 90}, {60, 90}, false}}) {
         SCOPED_TRACE(row.what);
         value = 1.1;
         const auto press = [&](const Press& at) {
@@ -342,14 +346,14 @@ TEST_F(UiTest, AMessageStaysUntilItIsDismissed) {
 
 TEST_F(UiTest, AFailureStaysUntilItIsDismissedAndLeavesTheMessages) {
     scene_.messages.push_back({"Move uEta slowly.", {}});
-    memory_.failure = {"a.html is not saved: a.glib:3:1: error: browsers have no geometry shaders"};
+    memory_.failures.open = {{"a.html is not saved: a.glib:3:1: error: browsers have no geometry shaders"}};
     EXPECT_TRUE(has("failure.ok"));
     click(place("message.ok"));
     EXPECT_FALSE(has("message.ok"));
     EXPECT_TRUE(has("failure.ok"));
     click(place("failure.ok"));
     EXPECT_FALSE(has("failure.ok"));
-    EXPECT_EQ(memory_.failure.text, "");
+    EXPECT_TRUE(memory_.failures.open.empty());
 }
 
 // And what went well is not.
@@ -365,7 +369,7 @@ TEST_F(UiTest, FailuresAreRedInEveryTheme) {
     };
     for (const Theme theme : {Theme::light, Theme::dark, Theme::contrast}) {
         screen_.theme = theme;
-        memory_.failure = {"not saved: no space left"};
+        memory_.failures.open = {{"not saved: no space left"}};
         memory_.notice = "saved as room.glib";
         const Rect ok = place("failure.ok"), box{memory_.scene.x, ok.y, ok.x - memory_.scene.x, ok.height};
         const ImVec4& red = palette().error_text;
@@ -390,7 +394,7 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
           Row{Remedy::save_as, "failure.save as", &Requests::save_as},
           Row{Remedy::editor, "failure.editor", &Requests::set_editor}}) {
         facts_.changed = true;
-        memory_.failure = {"not saved: room.glib", row.remedy};
+        memory_.failures.open = {{"not saved: room.glib", row.remedy}};
         const Rect at = place(row.button);
         frame({move(at.x + at.width / 2, at.y + at.height / 2)});
         frame({button(true)});
@@ -398,7 +402,7 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
         EXPECT_TRUE(requests_.*row.wants) << row.button;
         EXPECT_FALSE(has("failure.ok")) << row.button << " is an answer";
     }
-    memory_.failure = {"xdg-open ended with status 4", Remedy::editor, {"/tmp/a.frag", 3, 1}};
+    memory_.failures.open = {{"xdg-open ended with status 4", Remedy::editor, {"/tmp/a.frag", 3, 1}}};
     const Rect again = place("failure.again");
     frame({move(again.x + 3, again.y + 3)});
     frame({button(true)});
@@ -406,21 +410,21 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     EXPECT_EQ(requests_.edit.file, "/tmp/a.frag");
     const Listing listing{.folder = "/tmp"};
     facts_.listing = &listing;
-    memory_.failure = {"cannot read '/tmp/b.glib'", Remedy::open, {"/tmp/b.glib", 1, 1}};
+    memory_.failures.open = {{"cannot read '/tmp/b.glib'", Remedy::open, {"/tmp/b.glib", 1, 1}}};
     click(place("failure.open"));
     EXPECT_TRUE(memory_.browser.open);
     EXPECT_STREQ(memory_.browser.typed.data(), "/tmp/b.glib") << "to be mended, not typed again";
     memory_.browser.open = false;
     EXPECT_FALSE(has("failure.ok"));
     // What is mended otherwise.
-    memory_.failure = {"not saved: room.glib has changed", Remedy::reload};
+    memory_.failures.open = {{"not saved: room.glib has changed", Remedy::reload}};
     EXPECT_TRUE(has("failure.ok"));
     facts_.changed = false;
     EXPECT_TRUE(has("failure.ok")) << "the files are still others";
     ++facts_.revision;
     EXPECT_FALSE(has("failure.ok")) << "they were read";
     facts_.changed = true;
-    memory_.failure = {"not saved: room.glib is gone", Remedy::save_as};
+    memory_.failures.open = {{"not saved: room.glib is gone", Remedy::save_as}};
     facts_.changed = false;
     EXPECT_TRUE(has("failure.ok")) << "it is gone, whatever the values are";
     facts_.stale = true;
@@ -430,7 +434,7 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     ++facts_.revision;
     EXPECT_FALSE(has("failure.ok")) << "it is there again";
     facts_.changed = true;
-    memory_.failure = {"not saved: no space left", Remedy::save};
+    memory_.failures.open = {{"not saved: no space left", Remedy::save}};
     frame({key(Key::r, true)});
     frame({key(Key::r, false)});
     EXPECT_TRUE(has("failure.ok")) << "the next action leaves it";
@@ -440,8 +444,55 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     facts_.changed = false;
     EXPECT_FALSE(has("failure.ok")) << "nothing is left to save";
     no_scene_ = true;
-    memory_.failure = {"no .glib scene: a.png"};
+    memory_.failures.open = {{"no .glib scene: a.png"}};
     EXPECT_TRUE(has("failure.ok")) << "also in an empty window";
+}
+
+TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
+    using Remedy = Failure::Remedy;
+    facts_.changed = true;
+    Failures& failures = memory_.failures;
+    failures.add({"snapshot 3 is not stored: no space left", Remedy::store, {}, 3});
+    failures.add({"snapshot 4 cannot be read", Remedy::recall, {}, 4});
+    failures.add({"not saved: no space left", Remedy::save});
+    EXPECT_LT(place("failure 3.ok").y, place("failure 2.ok").y);
+    EXPECT_LT(place("failure 2.ok").y, place("failure.ok").y) << "the latest is below the others";
+    const auto pressed = [&](const char* name) {
+        const Rect at = place(name);
+        frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+        frame({button(true)});
+        frame({button(false)});
+        return requests_;
+    };
+    EXPECT_EQ(pressed("failure 3.again").store_snapshot, 3);
+    EXPECT_EQ(pressed("failure 2.again").restore_snapshot, 4);
+    EXPECT_FALSE(has("failure 2.ok")) << "these are answered";
+    EXPECT_TRUE(has("failure.again")) << "that one is not";
+    failures.add({"not saved: room.glib has changed", Remedy::reload});
+    EXPECT_FALSE(has("failure 2.ok")) << "the same values, tried again";
+    EXPECT_TRUE(has("failure.reload"));
+    failures.add({"false ended with status 1", Remedy::editor, {"/a.frag", 1, 1}});
+    failures.add({"cannot read b.glib", Remedy::open, {"/b.glib", 1, 1}});
+    failures.add({"a.html is not saved: a.glib:3:1: error"});
+    EXPECT_TRUE(has("failure 3.ok"));
+    EXPECT_FALSE(has("failure 4.ok")) << "it is only counted";
+    click(place("failure.ok"));
+    EXPECT_TRUE(has("failure 3.reload")) << "until there is room for it";
+    failures.add({"a.html is not saved: a.glib:3:1: error"});
+    failures.leave();
+    ASSERT_EQ(failures.open.size(), 2U) << "another scene was opened";
+    EXPECT_EQ(failures.open[0].remedy, Remedy::editor);
+    failures.done(Remedy::editor);
+    ASSERT_EQ(failures.open.size(), 1U);
+    // What would say the same is said once.
+    for (int i = 5; i < 8; ++i) {
+        failures.add({"there is no snapshot " + std::to_string(i), Remedy::absent, {}, i});
+        failures.add({"false ended with status 1", Remedy::editor, {"/a.frag", i, 1}});
+    }
+    ASSERT_EQ(failures.open.size(), 3U);
+    EXPECT_EQ(pressed("failure.again").edit.line, 7);
+    EXPECT_EQ(pressed("failure.store").store_snapshot, 7);
+    EXPECT_EQ(failures.open.size(), 1U);
 }
 
 TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {

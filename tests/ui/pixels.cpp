@@ -156,6 +156,14 @@ TEST_F(UiPixels, TheFrameCostShowsItsRowsAndAsksForMore) {
     EXPECT_EQ(plotted({1000}), plotted({}));
     EXPECT_EQ(plotted({1000, 17}), plotted({})) << "nor do two";
     EXPECT_NE(plotted({1000}), plotted({16, 17, 18}));
+    const auto said = [&](bool moves) {
+        facts_.animated = moves;
+        return place("frame cost.not plotted").width;
+    };
+    cost.frames = std::span(frames).first(1);
+    EXPECT_EQ(said(false), ImGui::CalcTextSize("The next pictures are plotted here.").x);
+    EXPECT_EQ(said(true), ImGui::CalcTextSize("Measuring: 1 of 3 pictures").x) << "they come by themselves";
+    facts_.animated = false;
     cost.frames = frames;
     const Rect button_ = place("frame cost.measure");
     frame({move(button_.x + 5, button_.y + 5)});

@@ -27,8 +27,10 @@ TEST_P(Screens, AreLegible) {
     };
     const std::vector<Theme> all{Theme::dark, Theme::contrast, Theme::light};
     for (const Variant& variant :
-         {Variant{"420x320-200", 420, 320, 2, {Theme::light}, true}, Variant{"1280x720", 1280, 720, 1, all, true},
-          Variant{"1920x1080-200", 1920, 1080, 2, all, true}, Variant{"1024x768", 1024, 768, 1, {Theme::dark}, false},
+         {Variant{"420x320-200", 420, 320, 2, {Theme::light}, true},
+          Variant{"420x320-largest", 420, 320, fitting_scale(3, 420), {Theme::light}, true},
+          Variant{"1280x720", 1280, 720, 1, all, true}, Variant{"1920x1080-200", 1920, 1080, 2, all, true},
+          Variant{"1024x768", 1024, 768, 1, {Theme::dark}, false},
           Variant{"1024x768-200", 1024, 768, 2, {Theme::light}, false},
           Variant{"1024x768-150", 1024, 768, 1.5F, {Theme::contrast}, false},
           Variant{"640x480", 640, 480, 1, {Theme::light}, true},
@@ -72,6 +74,9 @@ const Panel panels[] = {
     {"values", "Glass.uEta", &Screens::values},
     {"errors", "problem.0", &Screens::errors},
     {"messages", "message.ok", &Screens::messages},
+    {"everything", "problems.hide", &Screens::everything},
+    {"first-picture", "first picture", &Screens::first_picture},
+    {"failures", "failure.again", &Screens::failures},
     {"costs", "costs.Images", &Screens::costs},
     {"files", "file.room.glib", &Screens::files},
     {"window", "larger", &Screens::window},
@@ -79,6 +84,7 @@ const Panel panels[] = {
     {"refused-folder", "browser.cancel", &Screens::refused_folder},
     {"view", "background", &Screens::view},
     {"pixels", "flags", &Screens::pixels},
+    {"marked-errors", "problems.hide", &Screens::marked_errors},
     {"inspector", "inspector", &Screens::inspected},
     {"textures", "textures.picture", &Screens::textures},
     {"frame-cost", "frame cost.plot", &Screens::frame_cost},

@@ -288,6 +288,50 @@ TEST_F(Values, TheMenuOfASliderIsOpenedByKeys) {
     }
 }
 
+// Of every component, whatever changes it; a right click on its name, or on that of all, does the same.
+TEST_F(Values, EveryComponentHasAMenu) {
+    Control& sliders = add_slider("uSlid", 0, .2, 9);
+    sliders.value = sliders.initial = {.2, .3, .4};
+    color("uColor", {.3, .4, .5});
+    add_slider("uOn", 0, 0, 1, ValueType::bool_).widget = Widget::check_box;
+    array("uTyped", {1, 2, 3});
+    const auto change = [&] {
+        for (Control& control : controls_.items)
+            for (double& value : control.value) value = 1 - value / 3;
+    };
+    frame();
+    std::size_t menus = 0;
+    for (std::size_t at = 0; at < controls_.items.size(); ++at) {
+        for (std::size_t i = 0; i < controls_.items[at].value.size(); ++i) {
+            const Control& control = controls_.items[at];
+            SCOPED_TRACE(control.name + " " + std::to_string(i));
+            change();
+            const std::vector<double> before = control.value;
+            press(Key::tab);
+            ++menus;
+            press(Key::f10, {.shift = true});
+            ASSERT_TRUE(has(control.name + ".reset"));
+            press(Key::down);
+            press(Key::enter);
+            EXPECT_FALSE(has(control.name + ".reset"));
+            for (std::size_t k = 0; k < before.size(); ++k)
+                EXPECT_EQ(control.value[k], k == i ? control.initial[k] : before[k]) << k;
+        }
+    }
+    EXPECT_EQ(menus, 10U);
+    for (const std::size_t at : {1U, 3U}) {
+        const Control& control = controls_.items[at];
+        change();
+        click(place(control.name + ".name"), MouseButton::right);
+        click(place(control.name + ".reset all"));
+        EXPECT_EQ(control.value, control.initial) << control.name;
+    }
+    change();
+    const Rect name = place("uSlid.name");
+    click({name.x, name.y + 3, name.width, 2}, MouseButton::right);
+    EXPECT_TRUE(has("uSlid.animate"));
+}
+
 TEST_F(Values, TabStaysWithWhatIsNoNumber) {
     add_slider("uA", 0, .1, 9);
     add_slider("uB", 0, .2, 9);

@@ -114,13 +114,15 @@ void remember(std::vector<std::string>& recent, const std::string& scene) {
     if (recent.size() > most_recent) recent.resize(most_recent);
 }
 
-void restore(const Settings& settings, ui::Memory& memory) {
+void restore(const Settings& settings, const std::string& scene, ui::Memory& memory) {
     memory.theme = settings.theme;
     memory.zoom = static_cast<float>(settings.zoom);
     memory.panel = settings.panel;
     memory.always_sharp = settings.always_sharp;
     memory.hint = settings.panel ? 0 : ui::hint_seconds;
-    memory.tab = settings.tools ? ui::Tab::tools : ui::Tab::controls;
+    // Another scene begins with its sliders.
+    const bool same = !settings.recent.empty() && settings.recent[0] == whole_path(scene);
+    memory.tab = settings.tools && same ? ui::Tab::tools : ui::Tab::controls;
     memory.panel_width = static_cast<float>(settings.panel_width);
     memory.open = ui::Titles(settings.open.begin(), settings.open.end());
 }
@@ -140,7 +142,6 @@ void carry_looks(const ui::Memory& before, ui::Memory& memory) {
     memory.zoom = before.zoom;
     memory.panel = before.panel;
     memory.always_sharp = before.always_sharp;
-    memory.tab = before.tab;
     memory.panel_width = before.panel_width;
     memory.open = before.open;
     memory.labels = before.labels;

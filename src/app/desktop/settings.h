@@ -41,7 +41,7 @@ std::string whole_path(const std::string& scene);
 void remember(std::vector<std::string>& recent, const std::string& scene);
 
 // Copies settings to the panels' memory, and back.
-void restore(const Settings& settings, ui::Memory& memory);
+void restore(const Settings& settings, const std::string& scene, ui::Memory& memory);
 void gather(const ui::Memory& memory, Settings& settings);
 // Copies the appearance of the window from one scene's memory to the next.
 void carry_looks(const ui::Memory& before, ui::Memory& memory);

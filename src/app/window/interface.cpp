@@ -20,6 +20,8 @@ Interface::Interface(Window& window, bool listening) : window_(window), gui_(&wi
 void Interface::begin_scene() {
     ui::Memory fresh;
     carry_looks(memory_, fresh);
+    fresh.failures = std::move(memory_.failures);
+    fresh.failures.leave();
     memory_ = std::move(fresh);
     view_ = {};
 }

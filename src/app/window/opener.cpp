@@ -85,9 +85,9 @@ std::optional<std::string> Opener::serve(const ui::Requests& requests, const std
         edited_ = place;
         if (started.error.empty()) {
             memory.notice = started.program + " opens " + file_name(place.file);
-            if (memory.failure.remedy == ui::Failure::Remedy::editor) memory.failure = {};
+            memory.failures.done(ui::Failure::Remedy::editor);
         } else {
-            memory.failure = {started.error, ui::Failure::Remedy::editor, place};
+            memory.failures.add({started.error, ui::Failure::Remedy::editor, place});
         }
     }
     if (requests.set_editor) ui::open_save_as(memory.set_editor, settings_.editor);
@@ -118,7 +118,7 @@ void Opener::set_editor(ui::Memory& memory) {
     settings_.editor = memory.set_editor.file.data();
     editor_.set(settings_.editor);
     memory.set_editor.open = false;
-    memory.failure = {};
+    memory.failures.done(ui::Failure::Remedy::editor);
     memory.notice = "the editor is " + utf8::printable(editor_.name());
     write();
 }
@@ -126,7 +126,8 @@ void Opener::set_editor(ui::Memory& memory) {
 std::optional<std::string> Opener::serve_dropped(const std::vector<std::string>& paths, ui::Memory& memory) {
     for (const std::string& path : paths)
         if (is_folder(path) || has_extension(path, "glib")) return scene_at(path, memory);
-    if (!paths.empty()) memory.failure = {"no .glib scene: " + file_name(paths[0])};
+    if (!paths.empty())
+        memory.failures.add({"no .glib scene: " + file_name(paths[0]), ui::Failure::Remedy::open, {paths[0], 1, 1}});
     return std::nullopt;
 }
 
@@ -153,7 +154,7 @@ bool Opener::look(ui::Memory& memory) {
     const bool pictured = gallery_.look();
     std::string said = editor_.look();
     if (said.empty()) return pictured;
-    memory.failure = {std::move(said), ui::Failure::Remedy::editor, edited_};
+    memory.failures.add({std::move(said), ui::Failure::Remedy::editor, edited_});
     memory.notice.clear();  // it said that the editor opens the file
     return true;
 }

@@ -122,14 +122,15 @@ void Past::finish(Session& session, const View& view) {
     follow(session, view, false, {}, 0);
 }
 
-std::string Past::reread(Session& session, View& view) {
+std::string Past::reread(Session& session, View& view, std::span<const Animated> moving) {
     if (name_.empty() && !continued_) return begin(session, view);
     if (name_.empty()) {
         continue_with(session, view);
         return {};
     }
     changed_ = true;
-    if (const Document* document = session.document()) history().reread(document->scene(), document->controls, view);
+    if (const Document* document = session.document())
+        history().reread(document->scene(), document->controls, view, moving);
     return {};
 }
 

@@ -41,7 +41,8 @@ public:
     // True if undo is to end the motion, because nothing else was changed since it began.
     bool undoes_motion() { return moving_ > 0 && steps() <= before_motion_; }
     // Call it when the scene was read again. Returns what begin() does if the scene could not be read until now.
-    std::string reread(Session& session, View& view);
+    // `moving` is that of follow().
+    std::string reread(Session& session, View& view, std::span<const Animated> moving = {});
     void add(std::string what, std::vector<SavedFile> files) { history().add(std::move(what), std::move(files)); }
     // Executes requests for undo and redo, and returns what they changed. `follow_rungs` makes the controls of the
     // rungs that were chosen; `moving` is that of follow().

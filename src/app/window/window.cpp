@@ -97,6 +97,12 @@ private:
     void serve(const ui::Requests& requests);
     // Draws the scene if its picture would change, and presents the window if anything in it changed.
     void show(bool repaint);
+    // True if no picture of the scene was begun yet. Nobody knows how long it takes: the panels are shown before, and
+    // what is waited for.
+    bool first_picture();
+    void show_before_first(bool repaint);
+    // Draws the panels over what the window shows, and presents it.
+    void paint();
     bool draw_scene();
     void write_state();
 
@@ -120,6 +126,7 @@ private:
     int repaints_ = 3;
     double began_ = 0, next_look_ = 0;  // by the clock of the window
     double touched_ = 0;                // when there was input last
+    std::string begun_;                 // the scene of which a picture was begun
     std::string pictured_;              // the scene of which a picture was kept
     std::string question_, answered_;   // see listen()
     int steps_ = 0;                     // since the question, without rest
@@ -151,7 +158,7 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
           carried ? &carried->recovery : nullptr, past),
       measuring_(options.scene, caps_),
       hang_(restart.hang_watch(options.timeout)) {
-    restore(workspace_.settings(), interface_.memory());
+    restore(workspace_.settings(), options.scene, interface_.memory());
     if (!carried) {
         workspace_.begin(interface_.view(), interface_.memory().notice);
         return;
@@ -390,7 +397,7 @@ void App::keep_picture() {
 
 void App::reload() {
     restart_.trying();
-    workspace_.reload(interface_.view(), interface_.memory().notice);
+    workspace_.reload(interface_.view(), interface_.memory());
     measuring_.leave();
     settle(until_equal);
 }
@@ -399,7 +406,7 @@ void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
     keep_picture();
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
-        interface_.memory().failure = {utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}};
+        interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }
     interface_.begin_scene();
@@ -434,6 +441,7 @@ ui::Facts App::facts() {
     facts.samples = display_.samples();
     facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
     facts.renderer = caps_.renderer;
+    facts.first_picture = first_picture();
     workspace_.tell(facts, memory);
     facts.full_screen = window_->full_screen();
     picking_.tell(facts, document, memory.hold);
@@ -465,8 +473,11 @@ void App::show(bool repaint) {
     const ui::Memory& memory = interface_.memory();
     Document* document = workspace_.document();
     remember_size();
+    const bool first = first_picture();
+    if (first) show_before_first(repaint);
     const bool drew = document && draw_scene();
     if (lost()) return;
+    if (first) interface_frame({});
     const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_,
                                                     !running() && !interface_.pressed(), memory);
     if (drew || told) settle(1);  // the panels show the new cost and values
@@ -475,13 +486,27 @@ void App::show(bool repaint) {
     if (drew || told || repaint || now != presented_) {
         display_.show(pixels, measuring_.divider(display_.drawn().stand.width, memory.accuracy));
         if (document) measuring_.show(display_.bottom(pixels), memory);
-        const double start = window_->now();
-        interface_.paint();
-        if (!options_.state_file.empty()) gl::finish();  // so that each part has its own time
-        display_.present((window_->now() - start) * 1e3);
+        paint();
         presented_ = now;
     }
     if (!options_.state_file.empty()) write_state();
+}
+
+bool App::first_picture() { return workspace_.document() && begun_ != workspace_.session().path(); }
+
+void App::show_before_first(bool repaint) {
+    for (int i = 0; i < (repaint ? 2 : 1); ++i) {
+        display_.show(window_->framebuffer(), std::nullopt);
+        paint();
+    }
+    begun_ = workspace_.session().path();
+}
+
+void App::paint() {
+    const double start = window_->now();
+    interface_.paint();
+    if (!options_.state_file.empty()) gl::finish();  // so that each part has its own time
+    display_.present((window_->now() - start) * 1e3);
 }
 
 void App::write_state() {

@@ -130,7 +130,7 @@ void write_window_state(const std::string& file, const std::string& answered, co
                {"stale", session.stale()},
                {"view", view_of(view, memory.hold)},
                {"notice", memory.notice},
-               {"failure", memory.failure.text},
+               {"failure", memory.failures.open.empty() ? std::string() : memory.failures.open.back().text},
                {"file", session.path()},
                {"files", session.files()},
                {"theme", ui::theme_names[static_cast<std::size_t>(memory.theme)]},

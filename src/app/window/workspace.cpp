@@ -77,9 +77,10 @@ void Workspace::report() {
     reported_ = std::move(text);
 }
 
-void Workspace::reload(View& view, std::string& notice) {
+void Workspace::reload(View& view, ui::Memory& memory) {
     session_.reload();
-    if (std::string said = past_.reread(session_, view); !said.empty()) notice = std::move(said);
+    if (std::string said = past_.reread(session_, view, memory.animated); !said.empty())
+        memory.notice = std::move(said);
     report();
 }
 
@@ -95,7 +96,7 @@ bool Workspace::look(const View& view, ui::Memory& memory) {
     const bool saved = !said.empty();
     // The reason is longer than the status line, and comes when the user may be at something else.
     const bool failed = said.find(" is not saved: ") != said.npos;
-    if (failed) memory.failure = {std::move(said)};
+    if (failed) memory.failures.add({said});
     if (saved) memory.notice = failed ? "" : std::move(said);
     return opener_.look(memory) || saved;
 }
@@ -163,8 +164,11 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         const std::string undone = past_.serve(requests, session_, view, memory.animated, [this] { follow_rungs(); });
         if (!undone.empty()) {
             // What has changed is read already, or is no file of the scene.
+            std::error_code unknown;
             if (undone.starts_with("not "))
-                memory.failure = {undone};
+                memory.failures.add({undone, std::filesystem::exists(session_.path(), unknown)
+                                                 ? ui::Failure::Remedy::none
+                                                 : ui::Failure::Remedy::save_as});
             else
                 memory.notice = undone;
             keeper_.look_again();
@@ -181,9 +185,8 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         serve_page(requests, view, memory);
     }
     const std::optional<std::string> other = opener_.serve(requests, session_.path(), memory);
-    if (!memory.failure.text.empty())
-        memory.failure.text =
-            near_names(memory.failure.text, std::filesystem::path(session_.path()).parent_path().string());
+    for (ui::Failure& failure : memory.failures.open)
+        failure.text = near_names(failure.text, std::filesystem::path(session_.path()).parent_path().string());
     return other;
 }
 
@@ -198,7 +201,9 @@ void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::M
         pages_.busy() ? "another page is being saved" : pages_.start(page, page_arguments(*document(), view));
     if (!dialog.error.empty()) return;
     dialog.open = false;
-    memory.failure = {};
+    // Those of this page, which is saved once more.
+    const std::string refused = dialog.existing + " is not saved: ";
+    std::erase_if(memory.failures.open, [&](const ui::Failure& other) { return other.text.starts_with(refused); });
     memory.notice = fmt::format("saving {}\u2026", dialog.existing);
 }
 

@@ -33,7 +33,7 @@ public:
 
     // Prints the problems of the scene, if they are others than before.
     void report();
-    void reload(View& view, std::string& notice);
+    void reload(View& view, ui::Memory& memory);
     // Compiles the programs for other rungs if the controls ask for them. Returns true if the problems may have
     // changed.
     bool follow_rungs();

@@ -94,7 +94,7 @@ struct Drag {
 // The last press of a button.
 struct ClickMemory {
     MouseButton button = MouseButton::left;
-    double seen = -1e9;  // as in Event
+    double since = -1e9, seen = -1e9;  // as in Event
 };
 
 struct Kit {

@@ -55,7 +55,8 @@ void wrapped(std::string_view text, bool dim = false);
 void follow(float width, float gap = -1);
 // Moves the next item, `width` wide, to the right end of the line, where there is room.
 void to_right(float width);
-// Beside a panel of large letters the picture may be too narrow to read anything on it; then the whole window is used.
+// Beside a panel of large letters the picture may be too narrow to read anything on it. Then the whole window's width
+// is used, and the panel is shorter by what is above or below it.
 bool has_room(const Rect& picture, float letters = 12);
 Rect with_room(Rect picture);
 // Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only

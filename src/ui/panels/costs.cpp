@@ -37,8 +37,14 @@ void put(ImDrawList& list, ImVec2 at, ImVec4 color, const Text& text) {
 // Median and percentile of fewer pictures say nothing, least of all while programs are being compiled.
 bool plotted(const FrameCostFacts& facts) { return facts.frames.size() > 2; }
 
+// What stands in the place of the plot until then. Where something moves, pictures come by themselves.
+Text not_plotted(const FrameCostFacts& facts, bool moves) {
+    return moves ? Text("Measuring: {} of 3 pictures", facts.frames.size())
+                 : Text("The next pictures are plotted here.");
+}
+
 // Plots the last frames from left to right, with lines for the median and the 95th percentile.
-void plot(const FrameCostFacts& facts, Layout& layout) {
+void plot(const FrameCostFacts& facts, bool moves, Layout& layout) {
     const Palette& colors = palette();
     const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x, height = 5 * em;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -49,8 +55,10 @@ void plot(const FrameCostFacts& facts, Layout& layout) {
     const double top = round_up(1.3 * std::max<double>(facts.high, facts.median));
     list.AddRectFilled(at, {at.x + width, at.y + height}, pack(colors.track), ImGui::GetStyle().FrameRounding);
     if (!plotted(facts)) {
-        const Text none = shortened("The next pictures are plotted here.", width - em);
-        return put(list, {at.x + (width - width_of(none.view())) / 2, at.y + (height - em) / 2}, colors.dim, none);
+        const Text none = shortened(not_plotted(facts, moves).view(), width - em);
+        const ImVec2 corner(at.x + (width - width_of(none.view())) / 2, at.y + (height - em) / 2);
+        layout.place("frame cost.not plotted", {corner.x, corner.y, width_of(none.view()), em});
+        return put(list, corner, colors.dim, none);
     }
     Text text;
     text.add("{:g} ms", top);
@@ -125,7 +133,7 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         follow(width_of(high.view()), ImGui::GetFontSize());
         ImGui::TextDisabled("%s", high.c_str());
     }
-    plot(cost, layout);
+    plot(cost, facts.animated || memory.animating(), layout);
     if (!cost.passes.empty()) {
         wrapped("GPU time of each pass, by timer queries", true);
         ImGui::PushID("live");

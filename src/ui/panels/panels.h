@@ -48,9 +48,11 @@ float next_zoom(float zoom, int way);
 void files_keys(Memory& memory, Requests& requests);
 
 // Shows errors over the picture in full, because they must be seen. Warnings are one line until the user opens them.
-void problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
-                    Layout& layout);
-// Shows each message of a MessageBox statement until the user dismisses it.
-void notices(const Facts& facts, const Rect& picture, float end, Memory& memory, Requests& requests, Layout& layout);
+// Returns where they end.
+float problems_panel(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                     Layout& layout);
+// Shows failures, and each message of a MessageBox statement, until the user dismisses them, in what is free of the
+// picture. Returns where they begin.
+float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& requests, Layout& layout);
 
 }  // namespace snell::ui

@@ -133,8 +133,8 @@ void flag_counts(const FlagCounts& counts, float room) {
     }
 }
 
-void flags_legend(const Facts& facts, const Rect& picture, const PixelMemory& memory, Layout& layout) {
-    if (!memory.flags || !facts.pixels) return;
+float flags_legend(const Facts& facts, const Rect& picture, const PixelMemory& memory, Layout& layout) {
+    if (!memory.flags || !facts.pixels) return picture.y;
     const Rect scene = with_room(picture);
     const float em = ImGui::GetFontSize();
     const float margin = ImGui::GetStyle().WindowPadding.x;
@@ -149,8 +149,10 @@ void flags_legend(const Facts& facts, const Rect& picture, const PixelMemory& me
         }
     }
     layout.place_window("flag counts");
+    const float end = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     ImGui::End();
     ImGui::PopStyleVar();
+    return end;
 }
 
 void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory, const Fonts& fonts, Layout& layout) {

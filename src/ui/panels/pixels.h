@@ -43,8 +43,8 @@ void pixel_keys(const Rect& scene, PixelMemory& memory);
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout);
 // Draws the counts of flagged pixels in a line, or below each other if they are wider than `room`.
 void flag_counts(const FlagCounts& counts, float room);
-// Draws a legend with the counts of flagged pixels over the picture.
-void flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout);
+// Draws a legend with the counts of flagged pixels over the picture. Returns where it ends.
+float flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout);
 // Draws the values of a pixel next to the pointer, within `area` if there is room, and otherwise over all.
 void inspector(const PixelFacts& pixels, const Rect& area, const Fonts& fonts, Layout& layout);
 void inspector(const Facts& facts, const Rect& scene, const PixelMemory& memory, const Fonts& fonts, Layout& layout);

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "src/plan/values/numbers.h"
@@ -99,15 +100,15 @@ void pop_dark() {
     ImGui::PopStyleColor(6);
 }
 
-bool right_button(const char* text, Layout& layout, const char* name) {
+bool right_button(const char* text, Layout& layout, std::string_view name) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button_width(text));
     return button(text, layout, name);
 }
 
 constexpr float most_problems = .9F;  // of the picture's height
 
-// Below the list, by which the user sizes it.
-void problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layout) {
+// Below the list, by which the user sizes it. Returns its height.
+float problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layout) {
     const float grip = std::round(ImGui::GetFontSize() * .5F), margin = ImGui::GetStyle().WindowPadding.x;
     ImGui::SetNextWindowPos({scene.x + margin, bottom});
     ImGui::SetNextWindowSize({scene.width - 2 * margin, grip});
@@ -132,17 +133,20 @@ void problems_grip(const Rect& scene, float bottom, Memory& memory, Layout& layo
     }
     ImGui::End();
     ImGui::PopStyleVar(3);
+    return grip;
 }
 
-// Shows all errors, with the warnings on request, or all warnings.
-void problems_window(const Facts& facts, Severity severity, const Rect& scene, const Fonts& fonts, Memory& memory,
-                     Requests& requests, Layout& layout) {
+// Shows all errors, with the warnings on request, or all warnings. Returns where it ends.
+float problems_window(const Facts& facts, Severity severity, const Rect& scene, const Fonts& fonts, Memory& memory,
+                      Requests& requests, Layout& layout) {
     const bool errors = severity == Severity::error;
     const std::size_t warnings = count(facts.problems, Severity::warning);
     const float margin = ImGui::GetStyle().WindowPadding.x, width = scene.width - 2 * margin;
     // The window has the size of its contents in the last frame, limited to the picture.
     ImGui::SetNextWindowPos({scene.x + margin, scene.y + margin});
-    const float most = std::max(scene.height * memory.problems_height, 1.0F);
+    // In the lowest windows, too, something is read below the title.
+    const float least = std::min(5 * ImGui::GetFontSize(), scene.height / 2);
+    const float most = std::max({scene.height * memory.problems_height, least, 1.0F});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
     if (ImGui::Begin(errors ? "##problems" : "##warnings", nullptr,
                      (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
@@ -171,7 +175,7 @@ void problems_window(const Facts& facts, Severity severity, const Rect& scene, c
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     const bool cut = ImGui::GetScrollMaxY() > 0 || memory.problems_height != usual_problems;
     ImGui::End();
-    if (cut) problems_grip(scene, bottom, memory, layout);
+    return cut ? bottom + problems_grip(scene, bottom, memory, layout) : bottom;
 }
 
 // Shows a text above `bottom`, which moves up by its height, and beside it what `buttons` draws.
@@ -203,39 +207,62 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
 
 using Remedy = Failure::Remedy;
 
-// What the user can do about it, as buttons. Returns true if one was pressed.
-bool remedies(const Failure& failure, Memory& memory, Requests& requests, Layout& layout) {
+bool of_saving(Remedy remedy) {
+    return remedy == Remedy::reload || remedy == Remedy::save || remedy == Remedy::save_as;
+}
+
+// True if both are of the same request, or say the same.
+bool same(const Failure& a, const Failure& b) {
+    if (of_saving(a.remedy) && of_saving(b.remedy)) return true;
+    if (a.remedy != b.remedy) return false;
+    if (a.remedy == Remedy::none || a.remedy == Remedy::editor) return a.text == b.text;
+    return a.remedy == Remedy::absent || (a.place.file == b.place.file && a.snapshot == b.snapshot);
+}
+
+// What the user can do about it, as buttons. Returns true if one was pressed. `name` is that of the failure.
+bool remedies(const Failure& failure, const std::string& name, Memory& memory, Requests& requests, Layout& layout) {
     const Remedy remedy = failure.remedy;
     bool chosen = false, first = true;
-    const auto offer = [&](const char* text, const char* name, auto&& act) {
-        if (!(std::exchange(first, false) ? button(text, layout, name) : next_button(text, layout, name))) return;
+    const auto offer = [&](const char* text, const char* what, auto&& act) {
+        const std::string whole = name + what;
+        if (!(std::exchange(first, false) ? button(text, layout, whole) : next_button(text, layout, whole))) return;
         act();
         chosen = true;
     };
-    if (remedy == Remedy::reload) offer("Reload", "failure.reload", [&] { requests.reload = true; });
-    if (remedy == Remedy::save) offer("Try again", "failure.again", [&] { requests.save = true; });
-    if (remedy == Remedy::reload || remedy == Remedy::save || remedy == Remedy::save_as)
-        offer("Save as\u2026", "failure.save as", [&] { requests.save_as = true; });
+    if (remedy == Remedy::reload) offer("Reload", ".reload", [&] { requests.reload = true; });
+    if (remedy == Remedy::save) offer("Try again", ".again", [&] { requests.save = true; });
+    if (of_saving(remedy)) offer("Save as\u2026", ".save as", [&] { requests.save_as = true; });
+    if (remedy == Remedy::store) offer("Try again", ".again", [&] { requests.store_snapshot = failure.snapshot; });
+    if (remedy == Remedy::recall) offer("Try again", ".again", [&] { requests.restore_snapshot = failure.snapshot; });
+    if (remedy == Remedy::absent) offer("Store it", ".store", [&] { requests.store_snapshot = failure.snapshot; });
     if (remedy == Remedy::open)
-        offer("Open\u2026", "failure.open", [&] {
+        offer("Open\u2026", ".open", [&] {
             open_browser({}, memory, requests);
             failure.place.file.copy(memory.browser.typed.data(), memory.browser.typed.size() - 1);
         });
     if (remedy != Remedy::editor) return chosen;
-    offer("Set editor\u2026", "failure.editor", [&] { requests.set_editor = true; });
-    if (!failure.place.file.empty()) offer("Try again", "failure.again", [&] { requests.edit = failure.place; });
+    offer("Set editor\u2026", ".editor", [&] { requests.set_editor = true; });
+    if (!failure.place.file.empty()) offer("Try again", ".again", [&] { requests.edit = failure.place; });
     return chosen;
 }
 
-// Draws the failure; true if it is done with.
-bool failure_box(const Rect& scene, float& bottom, Memory& memory, Requests& requests, Layout& layout) {
-    const Failure& failure = memory.failure;
-    bool done = false;
-    message_box(failure.text, palette().error_text, 0, scene, bottom, button_width("OK"), [&] {
-        done = right_button("OK", layout, "failure.ok");
-        done |= remedies(failure, memory, requests, layout);
-    });
-    return done;
+// Draws the latest failures, the last one below the others, and how many more there are.
+void failure_boxes(const Rect& scene, float& bottom, Memory& memory, Requests& requests, Layout& layout) {
+    constexpr std::size_t most = 3;  // so that some of the picture is seen
+    std::vector<Failure>& open = memory.failures.open;
+    std::optional<std::size_t> done;
+    const std::size_t shown = std::min(open.size(), most);
+    for (std::size_t i = 0; i < shown; ++i) {
+        const std::size_t at = open.size() - 1 - i;
+        const std::string name = i == 0 ? "failure" : fmt::format("failure {}", i + 1);
+        const std::size_t more = i + 1 == shown ? open.size() - shown : 0;
+        message_box(open[at].text, palette().error_text, -static_cast<int>(i), scene, bottom, button_width("OK"), [&] {
+            const bool read = right_button("OK", layout, name + ".ok");
+            if (remedies(open[at], name, memory, requests, layout) || read) done = at;
+            if (more > 0) wrapped(fmt::format("and {} more", more), true);
+        });
+    }
+    if (done) open.erase(open.begin() + static_cast<std::ptrdiff_t>(*done));
 }
 
 // True if what could not be done has become needless. A scene that is gone is read again in vain.
@@ -247,38 +274,66 @@ bool mended(const Failure& failure, bool read_again, const Facts& facts) {
 
 }  // namespace
 
-void problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts, Memory& memory, Requests& requests,
-                    Layout& layout) {
+void Failures::add(Failure failure) {
+    std::erase_if(open, [&](const Failure& other) { return same(other, failure); });
+    open.push_back(std::move(failure));
+}
+
+void Failures::done(Remedy remedy, int snapshot) {
+    std::erase_if(open, [&](const Failure& other) {
+        return other.snapshot == snapshot && (other.remedy == remedy || (of_saving(remedy) && of_saving(other.remedy)));
+    });
+}
+
+void Failures::leave() {
+    std::erase_if(open,
+                  [](const Failure& other) { return other.remedy != Remedy::none && other.remedy != Remedy::editor; });
+}
+
+float problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts, Memory& memory, Requests& requests,
+                     Layout& layout) {
     // Problems that were hidden are shown again after the files were read again.
     const bool read_again = memory.revision != facts.revision;
     if (read_again) {
         memory.revision = facts.revision;
         memory.problems_hidden = false;
     }
-    if (mended(memory.failure, read_again, facts)) memory.failure = {};
-    const Rect scene = with_room(picture);
+    std::erase_if(memory.failures.open, [&](const Failure& failure) { return mended(failure, read_again, facts); });
+    Rect scene = with_room(picture);
+    if (memory.below > 0) scene.height = std::max(1.0F, ImGui::GetIO().DisplaySize.y - memory.below);
+    float bottom = scene.y;
     push_dark();
     if (count(facts.problems, Severity::error) > 0) {
-        if (!memory.problems_hidden) problems_window(facts, Severity::error, scene, fonts, memory, requests, layout);
+        if (!memory.problems_hidden)
+            bottom = problems_window(facts, Severity::error, scene, fonts, memory, requests, layout);
     } else if (memory.warnings_open && count(facts.problems, Severity::warning) > 0) {
-        problems_window(facts, Severity::warning, scene, fonts, memory, requests, layout);
+        bottom = problems_window(facts, Severity::warning, scene, fonts, memory, requests, layout);
     }
     pop_dark();
+    return bottom;
 }
 
-void notices(const Facts& facts, const Rect& picture, float end, Memory& memory, Requests& requests, Layout& layout) {
-    const Rect scene = with_room(picture);
-    float bottom = end - ImGui::GetStyle().WindowPadding.x;
+float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& requests, Layout& layout) {
+    Rect scene = with_room(free);
+    const float end = free.y + free.height, first = end - ImGui::GetStyle().WindowPadding.x;
+    // Where they need the panel's room, some of the panel is seen above them. One of them is seen in any case, but
+    // where errors need that room as well: these are read, and hidden, first.
+    const bool narrow = !has_room(free);
+    if (narrow) scene.y += scene.height / 2;
+    if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 7 * ImGui::GetFontSize()));
+    float bottom = first;
     int index = 0;
-    if (!memory.failure.text.empty() && failure_box(scene, bottom, memory, requests, layout)) memory.failure = {};
-    if (!facts.scene || !memory.panel) return;
-    for (const Message& message : facts.scene->messages) {
+    failure_boxes(scene, bottom, memory, requests, layout);
+    std::span<const Message> messages;
+    if (facts.scene && memory.panel) messages = facts.scene->messages;
+    for (const Message& message : messages) {
         if (memory.dismissed.contains(message.text)) continue;
         message_box(message.text, ImGui::GetStyleColorVec4(ImGuiCol_Text), ++index, scene, bottom, button_width("OK"),
                     [&] {
                         if (right_button("OK", layout, "message.ok")) memory.dismissed.insert(message.text);
                     });
     }
+    return bottom < first ? bottom : end;
 }
 
 }  // namespace snell::ui

@@ -129,22 +129,56 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
     ImGui::TextUnformatted("s");
 }
 
-// Draws the menu that a right click left of a slider's track opens: on its name, its dot or beside them.
-void slider_menu(Control& control, std::size_t component, const Section& section, const ImRect& left) {
+// Begins the menu that a right click within `clicks` opens, or a key while the widget has the focus, then below
+// `place`. If it returns true, its entries and EndPopup() must follow.
+bool begin_value_menu(const ImRect& place, ImGuiID widget, const ImRect& clicks) {
     const bool clicked = ImGui::IsWindowHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right) &&
-                         left.Contains(ImGui::GetIO().MousePos);
-    const bool keys = kit().focus.at == ImGui::GetID("##value") && !ImGui::GetIO().WantTextInput &&
+                         clicks.Contains(ImGui::GetIO().MousePos);
+    const bool keys = kit().focus.at == widget && !ImGui::GetIO().WantTextInput &&
                       (pressed(Key::menu) || (pressed(Key::f10) && ImGui::GetIO().KeyShift));
     if (clicked || keys) ImGui::OpenPopup("##menu");
-    if (keys) ImGui::SetNextWindowPos({left.Min.x, left.Max.y});
+    if (keys) ImGui::SetNextWindowPos({place.Min.x, place.Max.y});
     const bool open = ImGui::BeginPopup("##menu");
-    note_opener({left.Min.x, left.Min.y, 0, 0}, open);
-    if (!open) return;
-    if (menu_item(fmt::format("Reset to {}", shown_value(control, control.initial[component]).view()).c_str())) {
+    note_opener({place.Min.x, place.Min.y, 0, 0}, open);
+    return open;
+}
+
+void reset_item(Control& control, std::size_t component, const Section& section) {
+    const bool box = control.widget == Widget::check_box;
+    const Text initial =
+        box ? Text(control.initial[0] != 0 ? "on" : "off") : shown_value(control, control.initial[component]);
+    if (menu_item(fmt::format("Reset to {}", initial.view()).c_str())) {
         reset(control, component);
         stop(section.memory.animated, control, component);
     }
     section.layout.note(control.name, "reset");
+}
+
+void reset_all_item(Control& control, const Section& section) {
+    if (menu_item("Reset to the scene's value")) reset(control);
+    section.layout.note(control.name, "reset all");
+}
+
+// Draws the menu of a number, a check box or a colour's component.
+void value_menu(Control& control, std::size_t component, const Section& section, const ImRect& place, ImGuiID widget) {
+    if (!begin_value_menu(place, widget, {})) return;
+    reset_item(control, component, section);
+    if (control.value.size() > 1) reset_all_item(control, section);
+    ImGui::EndPopup();
+}
+
+// Draws the menu of all components, which a right click on the name above them opens.
+void caption_menu(Control& control, const Section& section, const ImVec2& corner) {
+    const ImRect line(corner, {corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetFrameHeight()});
+    if (!begin_value_menu(line, 0, line)) return;
+    reset_all_item(control, section);
+    ImGui::EndPopup();
+}
+
+// Draws the menu that a right click left of a slider's track opens: on its name, its dot or beside them.
+void slider_menu(Control& control, std::size_t component, const Section& section, const ImRect& left) {
+    if (!begin_value_menu(left, ImGui::GetID("##value"), left)) return;
+    reset_item(control, component, section);
     bool logarithmic = is_logarithmic(control, section);
     if (menu_item("Logarithmic", nullptr, logarithmic, control.min > 0)) {
         logarithmic = !logarithmic;
@@ -244,6 +278,15 @@ void caption(std::string_view name, std::string_view remark) {
     ImGui::TextUnformatted(remark.data(), remark.data() + remark.size());
 }
 
+// Draws the line above the components of a value.
+void named(Control& control, const Section& section) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    dot_of(control, section);
+    caption(control.name, idle_reason(control, section));
+    section.layout.note(control.name, "name");
+    caption_menu(control, section, corner);
+}
+
 // Draws a row of number fields for each element of an array or each column of a matrix.
 void numbers(Control& control, const Section& section) {
     auto columns = static_cast<std::size_t>(control.type == ValueType::matrix && control.components > 4
@@ -261,8 +304,23 @@ void numbers(Control& control, const Section& section) {
         if (number("##value", control.value[i], control.type, control.initial[i], width))
             control.value[i] = fit_to_type(control.value[i], control.type);
         note_element(control, i, section);
+        value_menu(control, i, section, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::GetID("##value"));
         ImGui::PopID();
     }
+}
+
+// Draws the menus of a colour's components.
+void color_menus(Control& control, const Section& section) {
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const float step = (to.x - from.x) / static_cast<float>(control.value.size() + 1);  // the last one is the picker's
+    ImGui::PushID("##value");
+    for (std::size_t i = 0; i < control.value.size(); ++i) {
+        const ImVec2 corner(from.x + step * static_cast<float>(i), from.y);
+        ImGui::PushID(static_cast<int>(i));
+        value_menu(control, i, section, {corner, {corner.x + step, to.y}}, ImGui::GetID("##component"));
+        ImGui::PopID();
+    }
+    ImGui::PopID();
 }
 
 void check_box(Control& control, const Section& section) {
@@ -280,6 +338,7 @@ void check_box(Control& control, const Section& section) {
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) reset(control);
     if (!whole) tip(control.name);
     section.layout.note(section.program.name, control.name);
+    value_menu(control, 0, section, box, id);
     const std::string_view reason = idle_reason(control, section);
     if (reason.empty()) return;
     follow(width_of(reason));
@@ -301,10 +360,10 @@ void widget(Control& control, const Section& section) {
         case Widget::check_box:
             return check_box(control, section);
         case Widget::color:
-            dot_of(control, section);
-            caption(control.name, idle_reason(control, section));
+            named(control, section);
             color_row("##value", control.value.data(), control.components, control.initial.data());
-            return section.layout.note(section.program.name, control.name);
+            section.layout.note(section.program.name, control.name);
+            return color_menus(control, section);
         case Widget::slider:
             for (std::size_t i = 0; i < control.value.size(); ++i) {
                 ImGui::PushID(static_cast<int>(i));
@@ -313,8 +372,7 @@ void widget(Control& control, const Section& section) {
             }
             return;
         case Widget::none:
-            dot_of(control, section);
-            caption(control.name, idle_reason(control, section));
+            named(control, section);
             return numbers(control, section);
     }
 }
@@ -451,7 +509,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
         }
         if (any(controls, index, unlisted)) {
             ImGui::Separator();
-            ImGui::TextDisabled("not on the Program line");
+            wrapped("not on the Program line", true);
             rows(controls, index, section, unlisted);
         }
         ImGui::Unindent(indent);

@@ -65,6 +65,7 @@ struct Facts {
     std::span<const Problem> problems;     // of the files as they are now
     bool stale = false;                    // the picture shows an earlier version of the files
     bool incomplete = false;               // that version has errors, too
+    bool first_picture = false;            // it is drawn next: no picture of the scene is there yet
     std::uint64_t revision = 0;            // increases each time the files are read
     bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
     double time = 0;                       // seconds since the scene began
@@ -106,12 +107,26 @@ inline constexpr double hint_seconds = 4;
 struct Failure {
     // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
     // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
-    // opens, until one does. snapshot: nothing is offered, until one is stored or restored. open: another scene, with
-    // the name that was refused in the field.
-    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, snapshot, open };
+    // opens, until one does. store, recall: the same snapshot again, until that succeeds. absent: there is no such
+    // snapshot, until one is stored. open: another scene, with the name that was refused in the field.
+    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, absent, open };
     std::string text;
     Remedy remedy = Remedy::none;
     Place place = {};  // where the editor was to open; the file that could not be opened
+    int snapshot = 0;  // its number
+};
+
+// The failures that are open, the latest last.
+struct Failures {
+    std::vector<Failure> open;
+
+    // Adds a failure, in place of an earlier one of the same request.
+    void add(Failure failure);
+    // Removes those of a request that has succeeded since: of the same kind, and of the same snapshot. Of values that
+    // were not saved there is one at most.
+    void done(Failure::Remedy remedy, int snapshot = 0);
+    // Removes those of the scene that is left for another one, which was opened.
+    void leave();
 };
 
 // Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys
@@ -143,7 +158,7 @@ struct Memory {
     bool accuracy_in_sight() const { return accuracy.open && tab == Tab::tools && panel; }
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
     std::string notice;             // the outcome of the last request
-    Failure failure;
+    Failures failures;
     bool labels = false;  // shows the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
@@ -156,7 +171,8 @@ struct Memory {
     Browser browser;
     PictureMemory picture;
     SaveAs save_as, save_page, write_rung, set_editor, new_scene;
-    Rect scene;  // the scene's area in this frame
+    Rect scene;                  // the scene's area in this frame
+    float above = 0, below = 0;  // how much lower, and higher, the panel begins and ends, for what needs its width
 };
 
 // What the user requested in this frame, other than changes of Controls or View.

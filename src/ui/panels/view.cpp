@@ -165,9 +165,13 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
 
     const double period = std::max(facts.scene->timer_period, 1e-3);
     label("t =");
-    const float field = std::min(6 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x);
-    if (number("##time", clock.time, ValueType::float_, 0, field)) clock.paused = true;
+    const float unit = width_of("s") + ImGui::GetStyle().ItemInnerSpacing.x;
+    const float field = std::min(6 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x - unit);
+    if (number("##time", clock.time, ValueType::float_, 0, std::max(field, 1.0F))) clock.paused = true;
     layout.note("time");
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::TextUnformatted("s");
+    layout.note("time.unit");
     follow(4 * ImGui::GetFontSize());
     double within = clock.time - std::floor(clock.time / period) * period;
     SliderRange range{{0, period}};

@@ -78,6 +78,23 @@ TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
     EXPECT_EQ(notice(), "nothing to undo");
 }
 
+TEST_F(Past, ASaveOfASliderThatMovesKeepsWhereItBegan) {
+    open("one.glib");
+    const std::string text = bytes("one.glib");
+    animate("uRed");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .4; }));
+    for (const char* key : {"ctrl+s", "ctrl+z"}) {  // the undo of the save restores the file
+        const auto revision = state()["revision"];
+        user(std::string("key ") + key);
+        ASSERT_TRUE(wait([&](const json& s) { return s["revision"] > revision; })) << key;
+        const double then = red();
+        EXPECT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] != then; })) << key;
+    }
+    EXPECT_EQ(bytes("one.glib"), text);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << notice();
+}
+
 TEST_F(Past, OtherChangesAreStepsWhileASliderMoves) {
     open("one.glib");
     animate("uGreen");

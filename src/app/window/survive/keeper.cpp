@@ -18,19 +18,23 @@ namespace snell {
 
 namespace {
 
+using Remedy = ui::Failure::Remedy;
+
 std::string short_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 void restore(int number, Document& document, ui::Memory& memory) {
     const Restored restored = restore_snapshot(number, document);
     if (!restored.error.empty()) {
         const bool none = restored.error.starts_with("there is no snapshot");
-        memory.failure = {restored.error + (none ? fmt::format(". Ctrl+{} stores one", number) : ""),
-                          ui::Failure::Remedy::snapshot};
+        memory.failures.add({restored.error + (none ? fmt::format(". Ctrl+{} stores one", number) : ""),
+                             none ? Remedy::absent : Remedy::recall,
+                             {},
+                             number});
         return;
     }
     const std::string lost =
         restored.lost == 0 ? "" : fmt::format("; {} left out: not in this scene", counted(restored.lost, "value"));
-    if (memory.failure.remedy == ui::Failure::Remedy::snapshot) memory.failure = {};
+    memory.failures.done(Remedy::recall, number);
     memory.notice = fmt::format("snapshot {}{}", number, lost);
 }
 
@@ -45,7 +49,7 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     dialog.error = std::move(saved.error);
     if (!dialog.error.empty()) return;
     dialog.open = false;
-    memory.failure = {};
+    memory.failures.done(Remedy::save);
     served.saved_as = saved.file.path;
 }
 
@@ -81,13 +85,12 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     if (!saved.error.empty()) {
         std::error_code unknown;
         const bool there = std::filesystem::exists(document.path, unknown);
-        using Remedy = ui::Failure::Remedy;
-        memory.failure = {"not saved: " + saved.error, !there    ? Remedy::save_as
-                                                       : changed ? Remedy::reload
-                                                                 : Remedy::save};
+        memory.failures.add({"not saved: " + saved.error, !there    ? Remedy::save_as
+                                                          : changed ? Remedy::reload
+                                                                    : Remedy::save});
         return;
     }
-    memory.failure = {};
+    memory.failures.done(Remedy::save);
     std::string& notice = memory.notice;
     notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
     served.what = "save to";
@@ -95,9 +98,10 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
         notice += " " + short_name(file.path);
         served.what += " " + short_name(file.path);
     }
+    std::string unwritten;
     for (const Unwritten& value : saved.unwritten)
-        memory.failure.text +=
-            fmt::format("{}{}: {}", memory.failure.text.empty() ? "not saved: " : "\n", value.name, value.reason);
+        unwritten += fmt::format("{}{}: {}", unwritten.empty() ? "not saved: " : "\n", value.name, value.reason);
+    if (!unwritten.empty()) memory.failures.add({std::move(unwritten), Remedy::save});
     served.files = std::move(saved.files);
 }
 
@@ -106,10 +110,10 @@ void Keeper::store(int number, const Document& document, ui::Memory& memory, Ser
     const std::string before = content::whole_file(file), error = store_snapshot(number, document);
     look_again();
     if (!error.empty()) {
-        memory.failure = {fmt::format("snapshot {} is not stored: {}", number, error), ui::Failure::Remedy::snapshot};
+        memory.failures.add({fmt::format("snapshot {} is not stored: {}", number, error), Remedy::store, {}, number});
         return;
     }
-    if (memory.failure.remedy == ui::Failure::Remedy::snapshot) memory.failure = {};
+    for (const Remedy mended : {Remedy::store, Remedy::recall, Remedy::absent}) memory.failures.done(mended, number);
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
     memory.notice = fmt::format("snapshot {} is in {}", number, short_name(file));

@@ -37,7 +37,7 @@ public:
         std::vector<SavedFile> files;
         std::string saved_as;  // path of the scene that was saved under another name
     };
-    // Executes the requests and sets `memory.notice`, or `memory.failure`, to their outcome.
+    // Executes the requests and sets `memory.notice`, or `memory.failures`, to their outcome.
     Served serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
                  ui::Memory& memory);
 
