@@ -11,6 +11,7 @@
 #include <mutex>
 #include <set>
 
+#include "parser/text/number.h"
 #include "src/content/files.h"
 #include "src/content/process.h"
 
@@ -129,12 +130,10 @@ int open_stream(const std::string& path) {
     if (path == "/dev/stderr") number = "2";
     for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"})
         if (path.starts_with(folder)) number = std::string_view(path).substr(folder.size());
-    int descriptor = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
-    if (number.empty() || error != std::errc() || end != number.data() + number.size())
-        return open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    const auto descriptor = read_whole<int>(number);
+    if (!descriptor) return open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     std::fflush(nullptr);  // what was printed before
-    return fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    return fcntl(*descriptor, F_DUPFD_CLOEXEC, 0);
 }
 
 // A link that exists under the temporary name is removed, not followed.

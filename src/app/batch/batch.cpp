@@ -55,6 +55,16 @@ bool is_there(const std::string& file, const Limits& most) {
 
 std::string assignment(const Axis& axis, const AxisValue& value) { return axis.name + "=" + value.written; }
 
+using Json = nlohmann::ordered_json;
+
+Json value_json(const AxisValue& value) { return value.number ? Json(*value.number) : Json(value.written); }
+
+Json axis_json(const Axis& axis) {
+    Json values = Json::array();
+    for (const AxisValue& value : axis.values) values.push_back(value_json(value));
+    return {{"name", axis.name}, {"values", std::move(values)}};
+}
+
 }  // namespace
 
 Batch::Batch(const RenderOptions& options, const Shots& shots, Shard shard)

@@ -10,19 +10,13 @@
 #include <fmt/format.h>
 
 #include "parser/text/diagnostic.h"
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell::app {
 
 namespace {
-
-std::optional<std::size_t> whole(std::string_view text) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 // Each of these returns "" or the error.
 std::string check_distinct(const Shots& shots) {
@@ -94,7 +88,8 @@ std::string numbered(const std::string& pattern) {
 std::optional<Shard> parse_shard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;
-    const auto index = whole(text.substr(0, slash)), count = whole(text.substr(slash + 1));
+    const auto index = read_whole<std::size_t>(text.substr(0, slash)),
+               count = read_whole<std::size_t>(text.substr(slash + 1));
     if (!index || !count || *index >= *count) return std::nullopt;
     return Shard{*index, *count};
 }

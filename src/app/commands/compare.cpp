@@ -55,8 +55,9 @@ std::optional<double> parse_threshold(std::string_view text) {
         return whole ? value : std::numeric_limits<double>::quiet_NaN();
     };
     const std::size_t slash = text.find('/');
-    const double value = number(text.substr(0, slash)) / (slash == text.npos ? 1 : number(text.substr(slash + 1)));
-    return value >= 0 && value <= 1 ? std::optional(value) : std::nullopt;
+    const auto step = read_whole<double>(text.substr(0, slash));
+    const auto of = slash == text.npos ? 1 : read_whole<double>(text.substr(slash + 1));
+    return step && of && *step / *of >= 0 && *step / *of <= 1 ? std::optional(*step / *of) : std::nullopt;
 }
 
 // Reads pictures and draws scenes; the context is made for the first scene.

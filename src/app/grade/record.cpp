@@ -12,6 +12,7 @@
 #include <fstream>
 #include <vector>
 
+#include "parser/text/number.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
 #include "src/content/text_forms.h"
@@ -31,12 +32,7 @@ Json prints_json(const std::vector<Print>& prints) {
     return list;
 }
 
-Print read_print(const Json& json) {
-    Print print{0, json.at(1), json.at(2), json.at(3)};
-    const auto& text = json.at(0).get_ref<const std::string&>();
-    std::from_chars(text.data(), text.data() + text.size(), print.hash);
-    return print;
-}
+}  // namespace
 
 Json record_json(const Record& record) {
     Json json{{"schema", 1},
@@ -84,7 +80,14 @@ Record from_json(const Json& json) {
     return record;
 }
 
-}  // namespace
+// A compact list, because there are thousands: the hash as text, which JSON's numbers could not hold.
+void to_json(Json& json, const Print& print) {
+    json = Json::array({std::to_string(print.hash), print.text, print.first, print.last});
+}
+void from_json(const Json& json, Print& print) {
+    const auto& hash = json.at(0).get_ref<const std::string&>();
+    print = {read_whole<std::uint64_t>(hash).value_or(0), json.at(1), json.at(2), json.at(3)};
+}
 
 double Record::points() const {
     double sum = 0;

@@ -52,13 +52,10 @@ struct Element {
 Element find_element(const std::vector<ActiveUniform>& active, std::string_view name) {
     const std::size_t bracket = name.rfind('[');
     if (bracket == std::string_view::npos || name.back() != ']') return {};
-    const std::string_view digits = name.substr(bracket + 1, name.size() - bracket - 2);
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-    if (error != std::errc() || end != digits.data() + digits.size()) return {};
+    const auto index = read_whole<std::size_t>(name.substr(bracket + 1, name.size() - bracket - 2));
     const ActiveUniform* array = find_active(active, name.substr(0, bracket));
-    if (array == nullptr || array->array_size < 2 || index >= static_cast<std::size_t>(array->array_size)) return {};
-    return {array, index};
+    if (!index || !array || array->array_size < 2 || *index >= static_cast<std::size_t>(array->array_size)) return {};
+    return {array, *index};
 }
 
 // True for <true>, false for <1>: the first makes a check box, the second is a constant unless the uniform is a bool.
