@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/table.h"
 #include "src/plan/setup.h"
@@ -216,7 +217,7 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     if (rung.outcome == Outcome::not_tried) return "not tried: " + rung.reason;
     if (rung.at.empty()) return "";
     if (!std::isfinite(rung.worst()->own.light.rmse))
-        return pixels_text(rung.worst()->own.nonfinite) + " NaN or infinite";
+        return counted(rung.worst()->own.nonfinite, "pixel") + " NaN or infinite";
     const std::string elsewhere =
         rung.only_where_tried ? "at other views and values its error is more than twice as large" : "";
     if (rung.aim == Aim::unused)

@@ -222,9 +222,7 @@ void print_compared(const Compared& c, const CompareOptions& options, std::FILE*
         fmt::print(out, "  largest   {:.6g} of displayed values at {},{} from the top left\n", d.largest, d.x, d.y);
     fmt::print(out, "  FLIP      {:.6g}\n", d.flip);
     fmt::print(out, "  pixels    {:.4g} % differ by more than {:.4g}\n", 100 * d.share, options.threshold);
-    if (d.error.nonfinite > 0)
-        fmt::print(out, "  NaN       in {} pixel{}, or infinite\n", d.error.nonfinite,
-                   d.error.nonfinite > 1 ? "s" : "");
+    if (d.error.nonfinite > 0) fmt::print(out, "  NaN       in {}, or infinite\n", counted(d.error.nonfinite, "pixel"));
     fmt::print(out, "  coverage  {:.4g} % and {:.4g} %\n", 100 * d.cover[0], 100 * d.cover[1]);
 }
 

@@ -142,8 +142,7 @@ Exit write_texts(const AccuracyOptions& options, Found& found) {
         write_copy(options.scenes.front(), options.access, changed_texts(changes, found.sources), options.html);
     if (!copy.error.empty()) return complain(exit_input, copy.error);
     for (const Change* change : changes) fmt::print("{}\n", change_line(*change, found.sources));
-    fmt::print("wrote {} ({} file{})\n", utf8::printable(copy.scene), copy.files.size(),
-               copy.files.size() == 1 ? "" : "s");
+    fmt::print("wrote {} ({})\n", utf8::printable(copy.scene), counted(copy.files.size(), "file"));
     return exit_fine;
 }
 

@@ -4,7 +4,6 @@
 
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
-#include "parser/text/article.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/lint/lint.h"
@@ -26,7 +25,7 @@ Judged shared_points(const RubricItem& item, std::size_t wrong, std::size_t of, 
 Judged judge_errors(const RubricItem& item, const Document& document) {
     const std::size_t errors = document.diagnostics.errors();
     if (errors == 0) return {item.points, true, "there are no errors"};
-    return {0, false, fmt::format("there {} {} error{}", errors == 1 ? "is" : "are", errors, errors == 1 ? "" : "s")};
+    return {0, false, fmt::format("there {} {}", errors == 1 ? "is" : "are", counted(errors, "error"))};
 }
 
 Judged judge_lints(const RubricItem& item, const Document& document) {

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 
 namespace snell::glsl::log {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 
 namespace snell::glsl::log {

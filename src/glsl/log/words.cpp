@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "parser/text/article.h"
+#include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/lexer.h"

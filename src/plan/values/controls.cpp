@@ -9,8 +9,9 @@
 #include <map>
 #include <unordered_map>
 
-#include "parser/text/article.h"
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/glsl/read/lexer.h"
 #include "src/plan/values/declared.h"

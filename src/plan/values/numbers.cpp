@@ -62,10 +62,6 @@ std::string shown(double value, double min, double max, bool integral) {
 
 std::string exact(double value) { return fmt::format("{}", value); }
 
-std::string counted(std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 namespace {
 
 // Reads sums of products of numbers, signs and parentheses. A failure makes the result NaN.

@@ -39,8 +39,7 @@ std::string part_text(const SwitchedOff::Part& part) {
     const bool named = part.kind == Kind::sampler || part.kind == Kind::uniform;  // the name begins with the type
     std::string text = named ? part.name : fmt::format("{} {}", name(part.kind), part.name);
     if (!part.functions.empty()) text += fmt::format(", named in {}", fmt::join(part.functions, ", "));
-    if (!part.files.empty())
-        text += fmt::format(", {} file{} not opened", part.files.size(), part.files.size() == 1 ? "" : "s");
+    if (!part.files.empty()) text += fmt::format(", {} not opened", counted(part.files.size(), "file"));
     return text;
 }
 
