@@ -279,9 +279,7 @@ std::string found_words(const FoundResult& found) {
 SweepResult as_sweep(const FoundResult& found, Aim aim) {
     SweepResult sweep = aim == Aim::cheaper ? found.timed : found.costs;
     sweep.scene = found.scene;
-    sweep.sweep.name = fmt::format("found: {}", aim == Aim::cheaper  ? "cheaper"
-                                                : aim == Aim::better ? "better"
-                                                                     : "unused");
+    sweep.sweep.name = fmt::format("found: {}", name(aim));
     sweep.rungs.clear();
     sweep.costs = {};
     for (const FoundRung& rung : found.rungs) {
@@ -354,10 +352,9 @@ FoundJson difference_json(const Difference& difference) {
 }
 
 FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
-    constexpr std::array<std::string_view, 3> aims{"cheaper", "better", "unused"},
-        outcomes{"tried", "refused", "not tried"};
+    constexpr std::array<std::string_view, 3> outcomes{"tried", "refused", "not tried"};
     FoundJson json{{"rung", rung.name},
-                   {"aim", aims[static_cast<std::size_t>(rung.aim)]},
+                   {"aim", name(rung.aim)},
                    {"outcome", outcomes[static_cast<std::size_t>(rung.outcome)]},
                    {"standing", standing_of(found, rung)}};
     json["changes"] = FoundJson::array();
