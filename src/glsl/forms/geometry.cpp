@@ -25,8 +25,8 @@ public:
     GeometryForm(Program& program, Translation& translation) : Fusion(program, translation) {}
 
     void run() {
-        const Unit* const own = program_.find(Stage::geometry);  // null: it is snell's
-        reference_ = (own ? *own : program_.units.front()).reference;
+        const Unit* const theirs = program_.find(Stage::geometry);  // null: it is snell's
+        reference_ = (theirs ? *theirs : program_.units.front()).reference;
         read(*stage(Stage::vertex), stage(Stage::geometry));
         fragment_ = read_again(*stage(Stage::fragment), false);
         if (!ok_ || !read_layouts()) return;

@@ -137,9 +137,9 @@ bool is_language_word(std::string_view word) {
 }
 
 std::string_view stage_name(Stage stage) {
-    constexpr std::string_view names[] = {"vertex", "tessellation control", "tessellation evaluation", "geometry",
+    constexpr std::string_view words[] = {"vertex", "tessellation control", "tessellation evaluation", "geometry",
                                           "fragment"};
-    return names[static_cast<std::size_t>(stage)];
+    return words[static_cast<std::size_t>(stage)];
 }
 
 int precedence(std::string_view op) {
