@@ -48,9 +48,8 @@ std::string join(std::string_view folder, std::string_view name) {
 std::string tidy(std::string_view name) {
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.front())) != 0) name.remove_prefix(1);
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.back())) != 0) name.remove_suffix(1);
-    if (name.size() > 1 && name.front() == name.back() && (name.front() == '"' || name.front() == '\'')) {
+    if (name.size() > 1 && name.front() == name.back() && (name.front() == '"' || name.front() == '\''))
         name = name.substr(1, name.size() - 2);
-    }
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     std::string result = !slashed.empty() && slashed[0] == '/' ? "/" : "";

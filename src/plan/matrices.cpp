@@ -99,9 +99,7 @@ glm::dmat4 view_matrix(const Camera& camera) {
     if (up == glm::dvec3(0)) up = upright(forward, {0, 0, forward.y});
     const glm::dvec3 right = glm::cross(forward, up);
     glm::dmat4 m(1);
-    for (int column = 0; column < 3; ++column) {
-        m[column] = glm::dvec4(right[column], up[column], -forward[column], 0);
-    }
+    for (int column = 0; column < 3; ++column) m[column] = glm::dvec4(right[column], up[column], -forward[column], 0);
     const glm::dvec3 shift(-glm::dot(right, eye), -glm::dot(up, eye), glm::dot(forward, eye));
     if (!finite(shift)) return glm::dmat4(1);
     m[3] = glm::dvec4(shift, 1);

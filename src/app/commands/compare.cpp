@@ -48,12 +48,6 @@ struct CompareOptions {
 
 // A difference of displayed values, such as ".03" or "8/255".
 std::optional<double> parse_threshold(std::string_view text) {
-    const auto number = [](std::string_view part) {
-        double value = 0;
-        const auto [end, error] = read_real(part.data(), part.data() + part.size(), value);
-        const bool whole = error == std::errc() && end == part.data() + part.size();
-        return whole ? value : std::numeric_limits<double>::quiet_NaN();
-    };
     const std::size_t slash = text.find('/');
     const auto step = read_whole<double>(text.substr(0, slash));
     const auto of = slash == text.npos ? 1 : read_whole<double>(text.substr(slash + 1));
@@ -315,9 +309,8 @@ Exit usable(const CompareOptions& options) {
         return complain(exit_usage,
                         "a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
     }
-    if (options.output == "/dev/stdout" && options.json == options.output) {
+    if (options.output == "/dev/stdout" && options.json == options.output)
         return complain(exit_usage, "the map and the figures would both be written to standard output");
-    }
     return exit_fine;
 }
 

@@ -73,10 +73,6 @@ std::unique_ptr<Found> find_in(const std::string& path, const AccuracyOptions& o
     return found;
 }
 
-std::string_view aim_name(Aim aim) {
-    return aim == Aim::cheaper ? "cheaper" : aim == Aim::better ? "better" : "unused";
-}
-
 std::string list_text(const Found& found) {
     if (found.changes.empty()) return "snell finds nothing to change in this scene\n";
     std::string text;

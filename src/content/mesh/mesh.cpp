@@ -194,17 +194,13 @@ void Mesh::compute_bounds() {
     }
 }
 
-std::size_t Mesh::bytes() const {
-    return (positions.size() + normals.size() + texcoords.size() + tangents.size()) * sizeof(Float3) +
-           w.size() * sizeof(float) + colors.size() * sizeof(Float4) + indices.size() * sizeof(std::uint32_t) +
-           parts.size() * sizeof(MeshPart);
+std::uint64_t hash(const Float3& p) {
+    // Adding 0 turns -0 into 0.
+    const auto bits = [](float x) { return std::uint64_t{bits_as<std::uint32_t>(x + 0.f)}; };
+    return mix(mix(bits(p[0]) | bits(p[1]) << 32) ^ bits(p[2]));
 }
 
-MeshResult make_shape(const Shape& shape, bool wire, const MeshLimits& limits) {
-    MeshResult result;
-    result.mesh = std::visit(Maker{wire, limits, result.issues}, shape);
-    return result;
-}
+std::size_t table_size(std::size_t entries) { return std::bit_ceil(entries * 2 + 1); }
 
 namespace {
 

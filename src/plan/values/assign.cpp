@@ -133,16 +133,14 @@ std::vector<Target> targets_of(Controls& controls, const Scene& scene, std::stri
 void report_unknown(const Controls& controls, const Scene& scene, std::string_view name, Diagnostics& diagnostics) {
     std::vector<std::string> full;
     for (const Control& control : controls.items) {
-        if (control.program < scene.programs.size()) {
+        if (control.program < scene.programs.size())
             full.push_back(scene.programs[control.program].name + '.' + control.name);
-        }
     }
     std::vector<std::string_view> names;
     for (const Control& control : controls.items) names.push_back(control.name);
     std::string_view near = nearest(name, names);
-    if (near.empty() && name.find('.') != std::string_view::npos) {
+    if (near.empty() && name.find('.') != std::string_view::npos)
         near = nearest(name, std::vector<std::string_view>(full.begin(), full.end()));
-    }
     std::string help = near.empty() ? std::string() : fmt::format("did you mean '{}'?", near);
     for (const Control& control : controls.items)
         if (control.array_size > 1 && name.ends_with(']') && name.find(control.name + "[") != std::string_view::npos)

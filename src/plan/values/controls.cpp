@@ -132,12 +132,10 @@ private:
         const std::vector<double> values = range ? std::vector{written.values[1]} : written.values;
         const auto each = static_cast<std::size_t>(control->components);
         const std::size_t first = each * element.index, room = control->value.size() - first;
-        if (values.empty() || values.size() > room || values.size() % each != 0) {
+        if (values.empty() || values.size() > room || values.size() % each != 0)
             report_count(written, array, each, values.size());
-        }
-        for (std::size_t i = 0; i < std::min(values.size(), room); ++i) {
+        for (std::size_t i = 0; i < std::min(values.size(), room); ++i)
             control->value[first + i] = typed(*control, values[i], written, array);
-        }
         control->initial = control->value;
     }
 
@@ -294,12 +292,9 @@ private:
     // Copies as many of `values` as the control has room for, converted to the uniform's type.
     void fit_values(Control& control, const std::vector<double>& values, const UniformValue& written,
                     const ActiveUniform& uniform) {
-        if (values.size() != control.value.size()) {
-            report_count(written, uniform, control.value.size(), values.size());
-        }
-        for (std::size_t i = 0; i < std::min(values.size(), control.value.size()); ++i) {
+        if (values.size() != control.value.size()) report_count(written, uniform, control.value.size(), values.size());
+        for (std::size_t i = 0; i < std::min(values.size(), control.value.size()); ++i)
             control.value[i] = typed(control, values[i], written, uniform);
-        }
     }
 
     void report_count(const UniformValue& written, const ActiveUniform& uniform, std::size_t takes, std::size_t given) {
@@ -387,9 +382,8 @@ private:
                                    limited.min != range.min ? "below" : "above",
                                    limited.min != range.min ? limited.min : limited.max, limited.min, limited.max));
         }
-        if (limited.min == limited.max) {
+        if (limited.min == limited.max)
             warn_range("range-empty", written, "minimum and maximum are equal, so there is no slider");
-        }
         return {limited.min, range.current, limited.max};
     }
 
