@@ -162,6 +162,20 @@ std::string overwrite(int file, std::string_view bytes) {
     return wrong;
 }
 
+// How new bytes get into the place of a file.
+enum class Place { renamed, written };
+
+std::string put_file(const std::string& path, std::string_view bytes, Place place) {
+    if (is_stream(path)) {
+        const std::string wrong = write_and_close(open_stream(path), bytes);
+        return wrong.empty() ? "" : path + ": " + wrong;
+    }
+    Replacement replacement(path);
+    if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
+    if (const std::string wrong = write_file(replacement.path(), bytes); !wrong.empty()) return path + ": " + wrong;
+    return place == Place::renamed ? replacement.take_place() : replacement.write_through(bytes);
+}
+
 }  // namespace
 
 std::string Replacement::write_through(std::string_view bytes) {
@@ -215,24 +229,6 @@ std::string PartFile::close() {
 }
 
 std::string write_file(const fs::path& path, std::string_view bytes) { return write_and_close(new_file(path), bytes); }
-
-namespace {
-
-// How new bytes get into the place of a file.
-enum class Place { renamed, written };
-
-std::string put_file(const std::string& path, std::string_view bytes, Place place) {
-    if (is_stream(path)) {
-        const std::string wrong = write_and_close(open_stream(path), bytes);
-        return wrong.empty() ? "" : path + ": " + wrong;
-    }
-    Replacement replacement(path);
-    if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
-    if (const std::string wrong = write_file(replacement.path(), bytes); !wrong.empty()) return path + ": " + wrong;
-    return place == Place::renamed ? replacement.take_place() : replacement.write_through(bytes);
-}
-
-}  // namespace
 
 std::string replace_file(const std::string& path, std::string_view bytes) {
     return put_file(path, bytes, Place::renamed);

@@ -233,6 +233,31 @@ std::string hidden_sentences(const SweepResult& sweep) {
     return text;
 }
 
+struct RungRow {
+    const SweepResult* sweep;
+    const RungResult* rung;
+
+    bool timed() const { return rung->drawn && rung->rounds > 0; }
+};
+
+using content::CellKind;
+constexpr content::TableColumn<RungRow> rung_columns[]{
+    {"rung", CellKind::words, [](const RungRow& r) { return r.rung->name; }},
+    {"ms", CellKind::number,
+     [](const RungRow& r) { return r.timed() ? fmt::format("{:.3g}", r.rung->milliseconds) : ""; }},
+    {"relative to current", CellKind::number,
+     [](const RungRow& r) { return r.timed() ? ratio_text(r.rung->ratio) : ""; }},
+    {"RMSE", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->own.light.rmse); }},
+    {"PSNR, dB", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.light.psnr); }},
+    {"PSNR of display", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.display.psnr); }},
+    {"PSNR of all", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->whole.light.psnr); }},
+    {"RMSE alone", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->alone.rmse); }},
+    {"FLIP", CellKind::number, [](const RungRow& r) { return known_text("{:.3f}", r.rung->flip); }},
+    {"degrees", CellKind::number,
+     [](const RungRow& r) { return r.rung->degrees ? known_text("{:.3g}", r.rung->degrees->mean) : ""; }},
+    {"remarks", CellKind::words, [](const RungRow& r) { return notes_text(*r.sweep, *r.rung); }},
+};
+
 }  // namespace
 
 std::vector<const SweepResult*> plots_of(const Report& report) {
@@ -275,39 +300,6 @@ std::string header_text(const Report& report) {
                               0) +
            content::paragraph(fmt::format("{} Other ladders are as in the {}.", errors_are, w.others()), 0);
 }
-
-namespace {
-
-struct RungRow {
-    const SweepResult* sweep;
-    const RungResult* rung;
-
-    bool timed() const { return rung->drawn && rung->rounds > 0; }
-    std::string number(std::string_view format, double value) const {
-        return rung->drawn ? known_text(format, value) : "";
-    }
-    std::string decibels(double psnr) const { return rung->drawn ? psnr_text(psnr) : ""; }
-};
-
-using content::CellKind;
-constexpr content::TableColumn<RungRow> rung_columns[]{
-    {"rung", CellKind::words, [](const RungRow& r) { return r.rung->name; }},
-    {"ms", CellKind::number,
-     [](const RungRow& r) { return r.timed() ? fmt::format("{:.3g}", r.rung->milliseconds) : ""; }},
-    {"relative to current", CellKind::number,
-     [](const RungRow& r) { return r.timed() ? ratio_text(r.rung->ratio) : ""; }},
-    {"RMSE", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->own.light.rmse); }},
-    {"PSNR, dB", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.light.psnr); }},
-    {"PSNR of display", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.display.psnr); }},
-    {"PSNR of all", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->whole.light.psnr); }},
-    {"RMSE alone", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->alone.rmse); }},
-    {"FLIP", CellKind::number, [](const RungRow& r) { return known_text("{:.3f}", r.rung->flip); }},
-    {"degrees", CellKind::number,
-     [](const RungRow& r) { return r.rung->degrees ? known_text("{:.3g}", r.rung->degrees->mean) : ""; }},
-    {"remarks", CellKind::words, [](const RungRow& r) { return notes_text(*r.sweep, *r.rung); }},
-};
-
-}  // namespace
 
 content::Table rung_table(const SweepResult& sweep) {
     std::vector<RungRow> rows;

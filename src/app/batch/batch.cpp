@@ -390,20 +390,6 @@ void Batch::say(const Diagnostics& diagnostics, const Sources& sources, const st
     }
 }
 
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value_json(const AxisValue& value) { return value.number ? Json(*value.number) : Json(value.written); }
-
-Json axis_json(const Axis& axis) {
-    Json values = Json::array();
-    for (const AxisValue& value : axis.values) values.push_back(value_json(value));
-    return {{"name", axis.name}, {"values", std::move(values)}};
-}
-
-}  // namespace
-
 bool write_json(const std::string& path, const Json& json) {
     return write_output(path, content::json_text(json) + '\n');
 }

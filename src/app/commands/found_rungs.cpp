@@ -90,7 +90,7 @@ std::string list_json(const std::string& scene, const Found& found) {
         const KindFacts& kind = facts(change.kind);
         json["found"].push_back({{"number", i + 1},
                                  {"kind", kind.name},
-                                 {"aim", aim_name(kind.aim)},
+                                 {"aim", name(kind.aim)},
                                  {"file", found.sources.name(change.where.file)},
                                  {"line", at.line},
                                  {"column", at.column},

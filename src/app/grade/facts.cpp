@@ -114,6 +114,16 @@ Judged judge_commands(const RubricItem& item, const UsedCommands& commands) {
     return shared_points(item, needed ? wrong.size() : of, of, wrong.empty() ? right : wrong);
 }
 
+bool tries_every_value(const snell::Control& slider) {
+    return slider.type == ValueType::bool_ || slider.type == ValueType::int_ || slider.type == ValueType::uint_;
+}
+
+std::string tried_values(const snell::Control& slider) {
+    if (slider.type == ValueType::bool_) return "for false and true";
+    return fmt::format("for {} from {} to {}", tries_every_value(slider) ? "every value" : "all tried values",
+                       slider.min, slider.max);
+}
+
 }  // namespace
 
 UsedCommands used_commands(const std::string& scene, const Access& access) {
@@ -196,20 +206,6 @@ std::string with_aliases(const std::string& assignment, const Rubric& rubric, co
         own = name.substr(0, behind) + own_name(name.substr(behind), rubric, document);
     return own + assignment.substr(equals);
 }
-
-namespace {
-
-bool tries_every_value(const snell::Control& slider) {
-    return slider.type == ValueType::bool_ || slider.type == ValueType::int_ || slider.type == ValueType::uint_;
-}
-
-std::string tried_values(const snell::Control& slider) {
-    if (slider.type == ValueType::bool_) return "for false and true";
-    return fmt::format("for {} from {} to {}", tries_every_value(slider) ? "every value" : "all tried values",
-                       slider.min, slider.max);
-}
-
-}  // namespace
 
 void add_idle_sliders(Document& document, double seconds) {
     if (!document.runtime || document.diagnostics.has_errors() || lint::may_not_end(document.diagnostics)) return;

@@ -566,7 +566,6 @@ Exit judge(const ToJudge& work) { return Judging(work).run(); }
 
 namespace {
 
-using accuracy::Picture;
 using accuracy::PictureDifference;
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }

@@ -40,6 +40,24 @@ private:
     std::unordered_map<std::string, fs::path> folders_;
 };
 
+constexpr std::size_t most_waiting = 8, most_threads = 4;
+
+Written write(const std::string& path, std::optional<content::Image> picture, bool light,
+              const Writer::Wanted& wanted) {
+    const runtime::Stopwatch watch;
+    Written written;
+    if (picture) written.error = content::write_image(path, *picture);
+    if (written.error.empty() && (wanted.hash || (wanted.tile && !picture))) {
+        const std::string bytes = content::whole_file(path);
+        written.bytes = bytes.size();
+        if (wanted.hash) written.sha256 = content::sha256(bytes);
+        if (!picture) picture = content::decode_image(path, bytes).image;
+    }
+    if (wanted.tile && picture) written.tile = thumbnail(*picture, light);
+    written.milliseconds = watch.milliseconds();
+    return written;
+}
+
 }  // namespace
 
 bool replace_a_file(std::span<const std::string> outputs) {
@@ -85,28 +103,6 @@ Exit check_outputs(std::span<const std::string> outputs, std::span<const std::st
     }
     return status;
 }
-
-namespace {
-
-constexpr std::size_t most_waiting = 8, most_threads = 4;
-
-Written write(const std::string& path, std::optional<content::Image> picture, bool light,
-              const Writer::Wanted& wanted) {
-    const runtime::Stopwatch watch;
-    Written written;
-    if (picture) written.error = content::write_image(path, *picture);
-    if (written.error.empty() && (wanted.hash || (wanted.tile && !picture))) {
-        const std::string bytes = content::whole_file(path);
-        written.bytes = bytes.size();
-        if (wanted.hash) written.sha256 = content::sha256(bytes);
-        if (!picture) picture = content::decode_image(path, bytes).image;
-    }
-    if (wanted.tile && picture) written.tile = thumbnail(*picture, light);
-    written.milliseconds = watch.milliseconds();
-    return written;
-}
-
-}  // namespace
 
 Writer::~Writer() { finish(); }
 

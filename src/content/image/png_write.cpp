@@ -21,6 +21,12 @@ void on_write_warning(png_structp, png_const_charp) {}
 
 void on_flush(png_structp) {}
 
+using Message = std::array<char, 1024>;
+
+std::string said(const Message& message) {
+    return message[0] ? message.data() : "cannot write the picture in this format";
+}
+
 }  // namespace
 
 void PngEncoder::on_error(png_structp png, png_const_charp message) {
@@ -196,16 +202,6 @@ ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {
     }
     return result;
 }
-
-namespace {
-
-using Message = std::array<char, 1024>;
-
-std::string said(const Message& message) {
-    return message[0] ? message.data() : "cannot write the picture in this format";
-}
-
-}  // namespace
 
 struct RowWriter::File {
     File(const std::string& path_, const Image& shape_) : path(path_), shape(shape_), place(path_) {}

@@ -80,6 +80,36 @@ const Types& types() {
     return table;
 }
 
+std::string zero_within(std::span<const Struct> structs, const Type& type, int& budget) {
+    if (budget <= 0 || type.dims > 1 || (type.dims == 1 && type.size <= 0)) return {};
+    if (type.dims == 1) {
+        Type element = type;
+        element.dims = 0;
+        std::string all;
+        for (int i = 0; i < type.size; ++i) {
+            const std::string one = zero_within(structs, element, budget);
+            if (one.empty()) return {};
+            all += (i ? ", " : "") + one;
+        }
+        const std::string_view name = type.base == Base::structure && type.structure >= 0
+                                          ? structs[static_cast<std::size_t>(type.structure)].name
+                                          : type_name(type.base, type.rows, type.cols);
+        return std::string(name) + "[" + std::to_string(type.size) + "](" + all + ")";
+    }
+    --budget;
+    if (type.basic()) return zero(type);
+    if (type.base != Base::structure || type.structure < 0) return {};
+    const Struct& s = structs[static_cast<std::size_t>(type.structure)];
+    if (s.name.empty() || s.members.empty()) return {};
+    std::string all;
+    for (const Member& m : s.members) {
+        const std::string one = zero_within(structs, m.type, budget);
+        if (one.empty()) return {};
+        all += (all.empty() ? "" : ", ") + one;
+    }
+    return std::string(s.name) + "(" + all + ")";
+}
+
 }  // namespace
 
 std::string_view type_name(Base base, int rows, int cols) {
@@ -213,40 +243,6 @@ std::string zero(const Type& type) {
     return std::string(type_name(type.base, type.rows, type.cols)) + "(" +
            (type.base == Base::boolean ? "false" : "0") + (type.floating() ? ".0)" : ")");
 }
-
-namespace {
-
-std::string zero_within(std::span<const Struct> structs, const Type& type, int& budget) {
-    if (budget <= 0 || type.dims > 1 || (type.dims == 1 && type.size <= 0)) return {};
-    if (type.dims == 1) {
-        Type element = type;
-        element.dims = 0;
-        std::string all;
-        for (int i = 0; i < type.size; ++i) {
-            const std::string one = zero_within(structs, element, budget);
-            if (one.empty()) return {};
-            all += (i ? ", " : "") + one;
-        }
-        const std::string_view name = type.base == Base::structure && type.structure >= 0
-                                          ? structs[static_cast<std::size_t>(type.structure)].name
-                                          : type_name(type.base, type.rows, type.cols);
-        return std::string(name) + "[" + std::to_string(type.size) + "](" + all + ")";
-    }
-    --budget;
-    if (type.basic()) return zero(type);
-    if (type.base != Base::structure || type.structure < 0) return {};
-    const Struct& s = structs[static_cast<std::size_t>(type.structure)];
-    if (s.name.empty() || s.members.empty()) return {};
-    std::string all;
-    for (const Member& m : s.members) {
-        const std::string one = zero_within(structs, m.type, budget);
-        if (one.empty()) return {};
-        all += (all.empty() ? "" : ", ") + one;
-    }
-    return std::string(s.name) + "(" + all + ")";
-}
-
-}  // namespace
 
 std::string zero_of(std::span<const Struct> structs, const Type& type) {
     int budget = 65;

@@ -190,10 +190,6 @@ void assign(Control& control, std::vector<double> values) {
     control.value = std::move(values);
 }
 
-}  // namespace
-
-namespace {
-
 // The number of elements of an array whose elements have controls of their own; 0: the name is none's.
 std::size_t elements_of(Controls& controls, const Scene& scene, std::string_view name) {
     std::size_t count = 0;

@@ -23,6 +23,19 @@ bool sampler_of_snell(std::string_view name, std::string_view type) {
            (type == "sampler2D" && ranges::count(glsl::mesh_samplers, name) > 0);
 }
 
+bool names_color(std::string_view name) { return contains(name, "color") || contains(name, "colour"); }
+
+// Widens the range for values that lie outside of the usual one.
+void widen(Control& control) {
+    for (const double value : control.value) {
+        if (value > control.max) control.max = 2 * value;
+        if (value < control.min) control.min = 2 * value;
+    }
+    const Range range = limit_range({control.min, 0, control.max}, control.type);
+    control.min = range.min;
+    control.max = range.max;
+}
+
 }  // namespace
 
 TypeFacts type_facts(std::string_view type) {
@@ -132,23 +145,6 @@ Range limit_range(Range range, ValueType type) {
     range.max = std::clamp(range.max, low, high);
     return range;
 }
-
-namespace {
-
-bool names_color(std::string_view name) { return contains(name, "color") || contains(name, "colour"); }
-
-// Widens the range for values that lie outside of the usual one.
-void widen(Control& control) {
-    for (const double value : control.value) {
-        if (value > control.max) control.max = 2 * value;
-        if (value < control.min) control.min = 2 * value;
-    }
-    const Range range = limit_range({control.min, 0, control.max}, control.type);
-    control.min = range.min;
-    control.max = range.max;
-}
-
-}  // namespace
 
 void suggest_widget(Control& control) {
     if (control.array_size > 1) return;

@@ -48,7 +48,7 @@ void Inbox::end_line() {
             const auto length = read_whole<std::size_t>(value);
             has_length_ = length.has_value();
             wrong_ = has_length_ ? "" : "Content-Length is not a number of bytes";
-            left_ = has_length_ ? length : 0;
+            left_ = length.value_or(0);
         }
     }
     line_.clear();
