@@ -1,6 +1,5 @@
 // Everything that draws.
 #include <algorithm>
-#include <cmath>
 
 #include "parser/commands/handlers.h"
 #include "parser/read/builder.h"

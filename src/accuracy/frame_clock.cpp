@@ -1,6 +1,7 @@
 #include "src/accuracy/frame_clock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "src/gl/present.h"

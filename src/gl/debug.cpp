@@ -1,5 +1,7 @@
 #include "src/gl/debug.h"
 
+#include <utility>
+
 #include "src/gl/api.h"
 #include "src/gl/driver.h"
 

@@ -1,9 +1,7 @@
 #include "src/gl/target.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
-#include <string>
 
 #include "src/gl/driver.h"
 #include "src/gl/program.h"

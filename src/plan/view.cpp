@@ -1,6 +1,7 @@
 #include "src/plan/view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 

@@ -1,9 +1,7 @@
 #include "src/app/open/write_copy.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -11,7 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"

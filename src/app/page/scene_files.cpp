@@ -1,6 +1,5 @@
 #include "src/app/page/scene_files.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>

@@ -1,9 +1,6 @@
 #include "src/app/picture/outputs.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <unordered_map>
 

@@ -2,7 +2,6 @@
 // 2, 4 and 8 bits with a palette, also run-length coded; 16, 24 and 32 bits, with or without bit masks.
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <limits>
 
 #include "src/content/image/formats.h"

@@ -4,7 +4,6 @@
 // runs the author's vertex stage for each of them, and then the author's geometry stage. EmitVertex() counts, or keeps
 // what is to be captured. No output is indexed, as that is slow, and none is an array, as ANGLE captures none.
 #include <algorithm>
-#include <charconv>
 
 #include "parser/text/ranges.h"
 #include "src/glsl/forms/fusion.h"

@@ -1,7 +1,5 @@
 #include "src/glsl/read/words.h"
 
-#include <algorithm>
-#include <array>
 #include <unordered_map>
 #include <unordered_set>
 

@@ -1,6 +1,5 @@
 // Which vertex attribute a vertex shader's input means.
 #include <algorithm>
-#include <charconv>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"

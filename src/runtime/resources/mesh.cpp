@@ -1,6 +1,5 @@
 #include "src/runtime/resources/mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,7 +1,6 @@
 #include "src/server/wire/inbox.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "parser/text/number.h"
 #include "parser/text/words.h"

@@ -1,7 +1,6 @@
 #include "src/server/wire/lines.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "parser/text/words.h"
 
