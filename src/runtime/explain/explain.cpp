@@ -143,8 +143,8 @@ private:
             paid.load_ms = linked->load_ms;
             for (const auto& [draw, with] : drawn_with_)
                 if (with == linked.get()) paid.draws.push_back(draw);
-            paid.why =
-                paid.draws.empty() ? "no draw; compiled for its sliders and errors" : counted(paid.draws.size(), "draw");
+            paid.why = paid.draws.empty() ? "no draw; compiled for its sliders and errors"
+                                          : counted(paid.draws.size(), "draw");
             runtime::Variant drawn = variant;
             drawn.settled = impl_.settled_values;
             const bool asked = impl_.settled_values != 0 && variant.settled == 0 && linked->settled.empty() &&
