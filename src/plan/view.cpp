@@ -38,8 +38,8 @@ double half_angle(const Camera& camera) {
 
 // Returns the member of View, or null for the transformation of an object.
 Transformation View::*part(Held held) {
-    constexpr std::array<Transformation View::*, 4> parts{&View::scene, &View::eye, nullptr, &View::texture};
-    return parts[static_cast<std::size_t>(held)];
+    constexpr std::array<Transformation View::*, 4> members{&View::scene, &View::eye, nullptr, &View::texture};
+    return members[static_cast<std::size_t>(held)];
 }
 
 constexpr double degrees_per_point = .5;
