@@ -328,6 +328,7 @@ struct Bindings {
         bool operator==(const Entry&) const = default;
     };
     std::vector<Entry> entries;
+    bool operator==(const Bindings&) const = default;
 };
 
 struct Draw {

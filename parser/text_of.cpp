@@ -1,7 +1,6 @@
 #include "parser/text_of.h"
 
 #include <array>
-#include <cmath>
 
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"

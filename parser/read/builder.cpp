@@ -7,14 +7,6 @@
 namespace snell {
 namespace {
 
-// Shared identical values are found by comparing with the last one only: a list of a million states must not
-// be searched for each draw.
-template <class T>
-bool same(const T& a, const T& b) {
-    return a == b;
-}
-bool same(const Bindings& a, const Bindings& b) { return a.entries == b.entries; }
-
 // The result is false for NaN, too.
 bool representable(double v) { return std::abs(v) <= std::numeric_limits<float>::max(); }
 
@@ -50,29 +42,15 @@ void Builder::append(std::vector<T>& list, T value) {
     list.push_back(std::move(value));
 }
 
+// Equal values are found by comparing with the last one only: a list of a million states must not be searched for each
+// draw.
 template <class T>
 Index Builder::index_of(Current<T>& current, std::vector<T>& list) {
     if (current.index == none) {
-        if (list.empty() || !same(list.back(), current.value)) append(list, current.value);
+        if (list.empty() || list.back() != current.value) append(list, current.value);
         current.index = static_cast<Index>(list.size() - 1);
     }
     return current.index;
-}
-
-Index Builder::matrix_index() {
-    if (matrix_.index == none) {
-        if (scene_.matrices.empty() || scene_.matrices.back() != matrix_.value) append(scene_.matrices, matrix_.value);
-        matrix_.index = static_cast<Index>(scene_.matrices.size() - 1);
-    }
-    return matrix_.index;
-}
-
-Index Builder::bindings_index() {
-    if (bindings_index_ == none) {
-        if (scene_.bindings.empty() || !same(scene_.bindings.back(), bindings_)) append(scene_.bindings, bindings_);
-        bindings_index_ = static_cast<Index>(scene_.bindings.size() - 1);
-    }
-    return bindings_index_;
 }
 
 void Builder::set_background(const Vec4& color) {
@@ -94,7 +72,7 @@ bool Builder::transform(const Mat4& by) {
         product[column * 4 + 3] = b[3];  // the last row of every transformation of the language is 0 0 0 1
     }
     if (!good) return false;
-    if (product != m) matrix_ = {product, none};
+    matrix_.set(product);
     return true;
 }
 
@@ -125,7 +103,7 @@ void Builder::bind(Texture texture) {
     const TextureTarget target = texture.target;
     const auto index = static_cast<Index>(scene_.textures.size());
     append(scene_.textures, std::move(texture));
-    auto& entries = bindings_.entries;
+    auto& entries = bindings_.value.entries;
     const auto before = [](const Bindings::Entry& a, const Bindings::Entry& b) {
         return a.unit != b.unit ? a.unit < b.unit : a.target < b.target;
     };
@@ -136,11 +114,11 @@ void Builder::bind(Texture texture) {
     } else {
         entries.insert(at, entry);
     }
-    bindings_index_ = none;
+    bindings_.index = none;
 }
 
 std::optional<Index> Builder::bound(int unit, TextureTarget target) const {
-    for (const Bindings::Entry& entry : bindings_.entries)
+    for (const Bindings::Entry& entry : bindings_.value.entries)
         if (entry.unit == unit && entry.target == target) return entry.texture;
     return std::nullopt;
 }
@@ -178,10 +156,10 @@ void Builder::draw(const Shape& shape, Span span, bool wire) {
     Draw draw;
     draw.shape = shape;
     draw.wire = wire;
-    draw.matrix = matrix_index();
+    draw.matrix = index_of(matrix_, scene_.matrices);
     draw.camera = index_of(camera_, scene_.cameras);
     draw.raster = index_of(raster_, scene_.rasters);
-    draw.bindings = bindings_index();
+    draw.bindings = index_of(bindings_, scene_.bindings);
     draw.color = index_of(color_, scene_.colors);
     draw.program = program_;
     draw.span = span;

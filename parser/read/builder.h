@@ -27,13 +27,8 @@ struct Current {
     }
 };
 
-struct MatrixEntry {
-    Mat4 value{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    Index index = none;
-};
-
 struct OpenMatrix {
-    MatrixEntry entry;
+    Current<Mat4> entry;
     Span span;  // of the PushMatrix statement
 };
 
@@ -108,8 +103,6 @@ public:
 private:
     template <class T>
     Index index_of(Current<T>& current, std::vector<T>& list);
-    Index matrix_index();
-    Index bindings_index();
     template <class T>
     void append(std::vector<T>& list, T value);
     void refuse(std::string_view code, std::uint64_t Limits::*limit, Span span);
@@ -122,12 +115,11 @@ private:
     Current<Camera> camera_;
     Current<RasterState> raster_;
     Current<Vec4> color_{{1, 1, 1, 1}, none};
-    MatrixEntry matrix_;
+    Current<Mat4> matrix_{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, none};
     std::vector<OpenMatrix> stack_;
     std::size_t refused_pushes_ = 0;
     std::set<std::string_view> refused_;  // codes
-    Bindings bindings_;
-    Index bindings_index_ = none;
+    Current<Bindings> bindings_;
     Index program_ = none;
     Index open_list_ = none;
     bool in_list_ = false;

@@ -1,12 +1,12 @@
 // Everything that draws.
 #include <algorithm>
-#include <cmath>
 
 #include "parser/commands/handlers.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
 #include "parser/text/diagnostic.h"
 #include "parser/text_of.h"
+#include "parser/vectors.h"
 
 namespace snell::handle {
 namespace {
@@ -39,22 +39,11 @@ void obj(Builder& b, const Arguments& a, ObjAs as, bool wire) {
 
 // The unit normal of a triangle; +Z when it has none.
 Vec3 flat_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-    Vec3 u, v;
-    double scale = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        u[i] = b[i] - a[i];
-        v[i] = c[i] - a[i];
-        scale = std::max({scale, std::abs(u[i]), std::abs(v[i])});
-    }
+    const Vec3 u = difference(b, a), v = difference(c, a);
+    const double scale = std::max(largest(u), largest(v));
     if (scale == 0) return {0, 0, 1};
-    for (std::size_t i = 0; i < 3; ++i) {
-        u[i] /= scale;
-        v[i] /= scale;
-    }
-    const Vec3 n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double length = std::hypot(n[0], n[1], n[2]);
-    if (length == 0) return {0, 0, 1};
-    return {n[0] / length, n[1] / length, n[2] / length};
+    const Vec3 n = cross(divided(u, scale), divided(v, scale));
+    return length(n) == 0 ? Vec3{0, 0, 1} : divided(n, length(n));
 }
 
 void list_of(Builder& b, const Arguments& a, Topology topology, const Vec3& normal) {

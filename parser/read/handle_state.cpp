@@ -5,6 +5,7 @@
 #include "parser/commands/handlers.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
+#include "parser/vectors.h"
 
 namespace snell::handle {
 namespace {
@@ -69,18 +70,10 @@ Mat4 rotation(const Angle& angle, const Vec3& u) {
             1};
 }
 
-double largest(const Vec3& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
-
-Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // The vector is divided by its largest component, so that neither tiny nor huge vectors lose their direction.
 Vec3 scaled_to_one(const Vec3& v) {
     const double m = largest(v);
-    return m > 0 ? Vec3{v[0] / m, v[1] / m, v[2] / m} : v;
+    return m > 0 ? divided(v, m) : v;
 }
 
 }  // namespace
@@ -138,7 +131,7 @@ void look_at(Builder& b, const Arguments& a) {
     camera.look_at = {eye, centre, up};
     b.set_camera(camera);
     if (a.mended()) return;  // the one mistake is said
-    const Vec3 forward = scaled_to_one(minus(centre, eye));
+    const Vec3 forward = scaled_to_one(difference(centre, eye));
     const Vec3 side = cross(forward, scaled_to_one(up));
     if (largest(forward) == 0) {
         b.report().warning("look-at-itself", a.span(), "the eye looks at itself: it has no direction",
@@ -161,16 +154,14 @@ void translate(Builder& b, const Arguments& a) {
 }
 
 void rotate(Builder& b, const Arguments& a) {
-    Vec3 axis = scaled_to_one({a.number(1), a.number(2), a.number(3)});
-    const double length = std::hypot(axis[0], axis[1], axis[2]);
-    if (length == 0 && a.mended()) return;  // which is said
-    if (length == 0) {
+    const Vec3 axis = scaled_to_one({a.number(1), a.number(2), a.number(3)});
+    if (length(axis) == 0 && a.mended()) return;  // which is said
+    if (length(axis) == 0) {
         b.report().error("zero-axis", a.span(), "a rotation needs an axis that is not 0 0 0: it is ignored",
                          "usage: Rotate angle x y z");
         return;
     }
-    for (double& component : axis) component /= length;
-    apply(b, a, rotation(angle_of(a.number(0)), axis));
+    apply(b, a, rotation(angle_of(a.number(0)), divided(axis, length(axis))));
 }
 
 void scale(Builder& b, const Arguments& a) {

@@ -110,9 +110,7 @@ private:
 
     void add_to_name(std::size_t i) {
         std::string_view word = text(i);
-        if (tokens_[i].kind == TokenKind::text) {
-            word = without_quotes(word, !tokens_[i].unclosed);
-        }
+        if (tokens_[i].kind == TokenKind::text) word = without_quotes(word, !tokens_[i].unclosed);
         if (!list_.program.empty()) list_.program += ' ';
         // A quote inside a word becomes an apostrophe: then the whole name can be written in quotes again.
         for (std::size_t at = 0; at < word.size();) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+
+#include "parser/text/number.h"
 
 namespace snell {
 namespace {
@@ -51,14 +52,12 @@ bool set_limit(Limits& limits, std::string_view text, std::string& error) {
         for (const LimitFacts& limit : table) error += " " + std::string(limit.name);
         return false;
     }
-    const std::string_view number = equals == std::string_view::npos ? "" : text.substr(equals + 1);
-    std::uint64_t value = 0;
-    const auto [end, wrong] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (wrong != std::errc() || end != number.data() + number.size() || value < 1 || value > row->most) {
+    const auto value = read_whole<std::uint64_t>(equals == text.npos ? "" : text.substr(equals + 1));
+    if (!value || *value < 1 || *value > row->most) {
         error = "'" + std::string(text) + "': the limit is a whole number from 1 to " + std::to_string(row->most);
         return false;
     }
-    limits.*row->value = value;
+    limits.*row->value = *value;
     return true;
 }
 

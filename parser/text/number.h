@@ -3,8 +3,11 @@
 
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <type_traits>
 
 #include "parser/text/diagnostic.h"
 
@@ -54,6 +57,19 @@ void report_number(Collector& report, const Number& number, std::string_view tex
 
 // As std::from_chars: without blanks, '+' and "0x"; `value` stays as it is after an error.
 std::from_chars_result read_real(const char* first, const char* last, double& value);
+
+// The number that the whole text is; nullopt if it is none, or out of the type's range.
+template <class Number>
+std::optional<Number> read_whole(std::string_view text) {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    std::from_chars_result result;
+    if constexpr (std::is_same_v<Number, double>)
+        result = read_real(text.data(), end, value);
+    else
+        result = std::from_chars(text.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end ? std::optional(value) : std::nullopt;
+}
 
 // Return the shortest text that reads back to the same bits: with an exponent where that is shorter, such as "1e+05".
 std::string real_text(double value);

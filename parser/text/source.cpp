@@ -8,28 +8,6 @@
 namespace snell {
 namespace {
 
-bool line_end(char c) { return c == '\n' || c == '\r'; }
-
-// Where each line begins. CR, LF and CRLF end a line.
-std::vector<std::uint32_t> line_starts(std::string_view text) {
-    std::vector<std::uint32_t> starts{0};
-    const bool only_lf = text.find('\r') == std::string_view::npos;
-    for (std::size_t at = 0; at < text.size();) {
-        std::size_t end = at;
-        if (only_lf) {
-            end = text.find('\n', at);
-            if (end == std::string_view::npos) break;
-        } else {
-            while (end < text.size() && !line_end(text[end])) ++end;
-            if (end == text.size()) break;
-            if (text.substr(end, 2) == "\r\n") ++end;
-        }
-        at = end + 1;
-        starts.push_back(static_cast<std::uint32_t>(at));
-    }
-    return starts;
-}
-
 bool marked(std::string_view text) { return text.starts_with("\xEF\xBB\xBF"); }
 
 // Characters in text[begin, end).
@@ -46,6 +24,19 @@ int characters(std::string_view text, std::size_t begin, std::size_t end) {
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> line_starts(std::string_view text) {
+    const bool only_lf = text.find('\r') == text.npos;
+    const auto next = [&](std::size_t from) {
+        return only_lf ? text.find('\n', from) : text.find_first_of("\r\n", from);
+    };
+    std::vector<std::uint32_t> starts{0};
+    for (std::size_t at = next(0); at != text.npos; at = next(at)) {
+        at += text.substr(at, 2) == "\r\n" ? 2 : 1;
+        starts.push_back(static_cast<std::uint32_t>(at));
+    }
+    return starts;
+}
 
 FileId Sources::add(std::string name, std::string text) {
     std::vector<std::uint32_t> lines = line_starts(text);

@@ -25,6 +25,9 @@ struct Position {
     int column = 1;
 };
 
+// Where each line of a text begins. CR, LF and CRLF end a line.
+std::vector<std::uint32_t> line_starts(std::string_view text);
+
 // All texts that diagnostics may refer to: scenes, included scenes, shaders. References that it returns stay valid
 // during its lifetime.
 class Sources {

@@ -1,5 +1,5 @@
-// Words and characters: compared without regard to case (ASCII), split, tidied, and read from what should be UTF-8 but
-// may be any bytes.
+// Words and characters: compared without regard to case (ASCII), split, tidied, put into sentences, and read from what
+// should be UTF-8 but may be any bytes.
 #pragma once
 
 #include <algorithm>
@@ -59,6 +59,19 @@ inline std::string lowered(std::string_view text) {
     std::string result(text);
     for (char& c : result) c = lower(c);
     return result;
+}
+
+// Words in sentences.
+
+// "a" or "an", as is said before the name of a type or another word that letters spell: an int, a uint.
+constexpr std::string_view article(std::string_view word) {
+    return !word.empty() && std::string_view("aei").find(word[0]) != std::string_view::npos ? "an" : "a";
+}
+
+// Formats as "1 error", "2 errors" or "2 passes".
+inline std::string counted(std::size_t count, std::string_view noun) {
+    const char* const ending = count == 1 ? "" : noun.ends_with('s') ? "es" : "s";
+    return std::to_string(count).append(" ").append(noun).append(ending);
 }
 
 }  // namespace snell

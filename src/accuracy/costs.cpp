@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
 
@@ -19,6 +18,29 @@ double pairs_of(std::size_t rungs) {
 }
 
 Interval reciprocal(const Interval& ratio) { return {1 / ratio.high, 1 / ratio.middle, 1 / ratio.low}; }
+
+double median_in_place(std::vector<double>& values) {
+    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    if (values.size() % 2 != 0) return *middle;
+    return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+template <class Compare>
+std::vector<double> paired(std::span<const double> a, std::span<const double> b, const Compare& compare) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        if (a[i] > 0 && b[i] > 0) result.push_back(compare(a[i], b[i]));
+    return result;
+}
+
+constexpr double same_error = 1e-3, better_error = 1e-2;
+
+bool measured(const Point& point) { return point.error >= 0 && !taken(point.times).empty(); }
+
+bool is_better(const Point& other, const Point& own) { return other.error < own.error * (1 - better_error); }
+bool is_no_worse(const Point& other, const Point& own) { return other.error <= own.error * (1 + same_error); }
 
 }  // namespace
 
@@ -59,18 +81,6 @@ Costs::Costs(std::span<const std::vector<double>> times, double noise)
 std::size_t rounds_for(std::size_t rungs) {
     return static_cast<std::size_t>(std::ceil(1 + std::log2(pairs_of(rungs) / family_level)));
 }
-
-namespace {
-
-double median_in_place(std::vector<double>& values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 != 0) return *middle;
-    return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
-}  // namespace
 
 double median(std::span<const double> values) {
     std::vector<double> copy(values.begin(), values.end());
@@ -116,18 +126,6 @@ std::vector<double> taken(std::span<const double> times) {
     return result;
 }
 
-namespace {
-
-template <class Compare>
-std::vector<double> paired(std::span<const double> a, std::span<const double> b, const Compare& compare) {
-    std::vector<double> result;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        if (a[i] > 0 && b[i] > 0) result.push_back(compare(a[i], b[i]));
-    return result;
-}
-
-}  // namespace
-
 std::vector<double> quotients(std::span<const double> a, std::span<const double> b) {
     return paired(a, b, std::divides<>());
 }
@@ -139,17 +137,6 @@ double paired_difference(std::span<const double> a, std::span<const double> b) {
 Interval paired_ratio(std::span<const double> a, std::span<const double> b, double level) {
     return median_interval(quotients(a, b), level);
 }
-
-namespace {
-
-constexpr double same_error = 1e-3, better_error = 1e-2;
-
-bool measured(const Point& point) { return point.error >= 0 && !taken(point.times).empty(); }
-
-bool is_better(const Point& other, const Point& own) { return other.error < own.error * (1 - better_error); }
-bool is_no_worse(const Point& other, const Point& own) { return other.error <= own.error * (1 + same_error); }
-
-}  // namespace
 
 Costs costs_of(std::span<const Point> points, double noise) {
     std::vector<std::vector<double>> times;

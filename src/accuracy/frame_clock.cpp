@@ -1,6 +1,7 @@
 #include "src/accuracy/frame_clock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "src/gl/present.h"
@@ -14,15 +15,8 @@ constexpr double long_enough = 500;  // milliseconds: one frame is a sample
 }  // namespace
 
 std::string_view name(ClockKind clock) {
-    switch (clock) {
-        case ClockKind::cpu:
-            return "process CPU time";
-        case ClockKind::gpu:
-            return "GPU timer query";
-        case ClockKind::wall:
-            return "wall clock";
-    }
-    return "";
+    constexpr std::array<std::string_view, 3> names{"process CPU time", "GPU timer query", "wall clock"};
+    return names[static_cast<std::size_t>(clock)];
 }
 
 double chosen(const Times& times, ClockKind clock) {

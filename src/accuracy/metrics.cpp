@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/content/image/image.h"
 
 namespace snell::accuracy {
@@ -131,8 +132,8 @@ NonFinite non_finite(const Picture& picture, const Region& region) {
 }
 
 std::string text_of(const NonFinite& pixels) {
-    return fmt::format("NaN or infinite in {} pixel{}, the first at ({}, {}) from the top left", pixels.count,
-                       pixels.count > 1 ? "s" : "", pixels.x, pixels.y);
+    return fmt::format("NaN or infinite in {}, the first at ({}, {}) from the top left", counted(pixels.count, "pixel"),
+                       pixels.x, pixels.y);
 }
 
 Degrees compare_directions(const Picture& picture, const Picture& reference, const Region& region) {

@@ -18,6 +18,16 @@ Variant variant_of(const Scene& scene, const Rungs& rungs, int fineness) {
     return variant;
 }
 
+// The digits of the number, mirrored at the point (radical inverse).
+double halton(int number, int base) {
+    double result = 0, place = 1;
+    for (; number > 0; number /= base) {
+        place /= base;
+        result += place * (number % base);
+    }
+    return result;
+}
+
 }  // namespace
 
 const Reference& References::of(Bench& bench, const Rungs& rungs, const Stop& stop) {
@@ -38,20 +48,6 @@ const Reference& References::of(Bench& bench, const Rungs& rungs, const Stop& st
     }
     return reference;
 }
-
-namespace {
-
-// The digits of the number, mirrored at the point (radical inverse).
-double halton(int number, int base) {
-    double result = 0, place = 1;
-    for (; number > 0; number /= base) {
-        place /= base;
-        result += place * (number % base);
-    }
-    return result;
-}
-
-}  // namespace
 
 std::array<double, 2> sample_position(int index) {
     const auto around_first = [index](int base) {

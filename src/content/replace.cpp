@@ -5,12 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <mutex>
 #include <set>
 
+#include "parser/text/number.h"
 #include "src/content/files.h"
 #include "src/content/process.h"
 
@@ -129,12 +129,10 @@ int open_stream(const std::string& path) {
     if (path == "/dev/stderr") number = "2";
     for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"})
         if (path.starts_with(folder)) number = std::string_view(path).substr(folder.size());
-    int descriptor = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), descriptor);
-    if (number.empty() || error != std::errc() || end != number.data() + number.size())
-        return open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+    const auto descriptor = read_whole<int>(number);
+    if (!descriptor) return open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
     std::fflush(nullptr);  // what was printed before
-    return fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    return fcntl(*descriptor, F_DUPFD_CLOEXEC, 0);
 }
 
 // A link that exists under the temporary name is removed, not followed.
@@ -161,6 +159,20 @@ std::string overwrite(int file, std::string_view bytes) {
     std::string wrong = write_all(file, bytes);
     if (wrong.empty() && ftruncate(file, static_cast<off_t>(bytes.size())) != 0) wrong = std::strerror(errno);
     return wrong;
+}
+
+// How new bytes get into the place of a file.
+enum class Place { renamed, written };
+
+std::string put_file(const std::string& path, std::string_view bytes, Place place) {
+    if (is_stream(path)) {
+        const std::string wrong = write_and_close(open_stream(path), bytes);
+        return wrong.empty() ? "" : path + ": " + wrong;
+    }
+    Replacement replacement(path);
+    if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
+    if (const std::string wrong = write_file(replacement.path(), bytes); !wrong.empty()) return path + ": " + wrong;
+    return place == Place::renamed ? replacement.take_place() : replacement.write_through(bytes);
 }
 
 }  // namespace
@@ -216,24 +228,6 @@ std::string PartFile::close() {
 }
 
 std::string write_file(const fs::path& path, std::string_view bytes) { return write_and_close(new_file(path), bytes); }
-
-namespace {
-
-// How new bytes get into the place of a file.
-enum class Place { renamed, written };
-
-std::string put_file(const std::string& path, std::string_view bytes, Place place) {
-    if (is_stream(path)) {
-        const std::string wrong = write_and_close(open_stream(path), bytes);
-        return wrong.empty() ? "" : path + ": " + wrong;
-    }
-    Replacement replacement(path);
-    if (std::string wrong = replacement.check(); !wrong.empty()) return wrong;
-    if (const std::string wrong = write_file(replacement.path(), bytes); !wrong.empty()) return path + ": " + wrong;
-    return place == Place::renamed ? replacement.take_place() : replacement.write_through(bytes);
-}
-
-}  // namespace
 
 std::string replace_file(const std::string& path, std::string_view bytes) {
     return put_file(path, bytes, Place::renamed);

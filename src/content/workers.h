@@ -28,9 +28,8 @@ void parallel_blocks(std::size_t count, const Work& work) {
     const std::size_t block = std::max<std::size_t>(count / std::max<std::size_t>(threads * 8, 1), 1);
     std::atomic<std::size_t> next{0};
     const auto run = [&] {
-        for (std::size_t first = next.fetch_add(block); first < count; first = next.fetch_add(block)) {
+        for (std::size_t first = next.fetch_add(block); first < count; first = next.fetch_add(block))
             work(first, std::min(first + block, count));
-        }
     };
     work_beside(threads > 0 ? threads - 1 : 0, run, [&](std::size_t) { run(); });
 }

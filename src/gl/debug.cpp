@@ -1,5 +1,7 @@
 #include "src/gl/debug.h"
 
+#include <utility>
+
 #include "src/gl/api.h"
 #include "src/gl/driver.h"
 
@@ -8,22 +10,16 @@ namespace snell::gl {
 namespace {
 
 const char* error_name(GLenum error) {
-    switch (error) {
-        case GL_INVALID_ENUM:
-            return "GL_INVALID_ENUM";
-        case GL_INVALID_VALUE:
-            return "GL_INVALID_VALUE";
-        case GL_INVALID_OPERATION:
-            return "GL_INVALID_OPERATION";
-        case GL_INVALID_FRAMEBUFFER_OPERATION:
-            return "GL_INVALID_FRAMEBUFFER_OPERATION";
-        case GL_OUT_OF_MEMORY:
-            return "GL_OUT_OF_MEMORY";
-        case GL_CONTEXT_LOST:
-            return "GL_CONTEXT_LOST";
-        default:
-            return "unknown GL error";
-    }
+    constexpr std::pair<GLenum, const char*> names[]{
+        {GL_INVALID_ENUM, "GL_INVALID_ENUM"},
+        {GL_INVALID_VALUE, "GL_INVALID_VALUE"},
+        {GL_INVALID_OPERATION, "GL_INVALID_OPERATION"},
+        {GL_INVALID_FRAMEBUFFER_OPERATION, "GL_INVALID_FRAMEBUFFER_OPERATION"},
+        {GL_OUT_OF_MEMORY, "GL_OUT_OF_MEMORY"},
+        {GL_CONTEXT_LOST, "GL_CONTEXT_LOST"}};
+    for (const auto& [code, name] : names)
+        if (code == error) return name;
+    return "unknown GL error";
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "src/gl/target.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
-#include <string>
 
 #include "src/gl/driver.h"
 #include "src/gl/program.h"
@@ -82,6 +80,10 @@ std::vector<Component> read_rows(GLuint framebuffer, int width, int height, int 
     return rows;
 }
 
+constexpr const char* add_fragment =
+    "uniform sampler2D picture;\nuniform float weight;\nout vec4 color;\n"
+    "void main() { color = weight * texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }\n";
+
 }  // namespace
 
 Target make_target(int width, int height, int samples, Pixels type) {
@@ -145,14 +147,6 @@ std::vector<float> read_rgba32f(GLuint framebuffer, int width, int height, int s
     return read_rows<float>(framebuffer, width, height, samples, Pixels::rgba32f, GL_FLOAT,
                             static_cast<size_t>(width) * 4);
 }
-
-namespace {
-
-constexpr const char* add_fragment =
-    "uniform sampler2D picture;\nuniform float weight;\nout vec4 color;\n"
-    "void main() { color = weight * texelFetch(picture, ivec2(gl_FragCoord.xy), 0); }\n";
-
-}  // namespace
 
 ExactTarget::ExactTarget(int width, int height, int multisample, bool es) : width_(width), height_(height) {
     const Texels empty{Pixels::rgba32f, width, height, 1, nullptr};

@@ -58,6 +58,21 @@ void set_levels(GLenum target, const Sampling& sampling) {
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(target, axis, GL_CLAMP_TO_EDGE);
 }
 
+void upload_levels(const std::vector<std::array<Texels, 6>>& levels, bool fresh) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (std::size_t level = 0; level < levels.size(); ++level)
+        for (GLenum face = 0; face < 6; ++face) {
+            const Texels& texels = levels[level][face];
+            const GLenum target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, type = format_of(texels.type).component;
+            const auto at = static_cast<GLint>(level);
+            if (fresh)
+                glTexImage2D(target, at, static_cast<GLint>(internal_format(texels.type)), texels.width, texels.height,
+                             0, GL_RGBA, type, texels.data);
+            else
+                glTexSubImage2D(target, at, 0, 0, texels.width, texels.height, GL_RGBA, type, texels.data);
+        }
+}
+
 }  // namespace
 
 GLenum internal_format(Pixels type) { return format_of(type).internal; }
@@ -96,25 +111,6 @@ void fill_words(GLuint buffer, int width, int height) {
 Texture make_texture(GLenum target, const Texels& texels, const Sampling& sampling) {
     return make_texture(target, {&texels, 1}, sampling);
 }
-
-namespace {
-
-void upload_levels(const std::vector<std::array<Texels, 6>>& levels, bool fresh) {
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (std::size_t level = 0; level < levels.size(); ++level)
-        for (GLenum face = 0; face < 6; ++face) {
-            const Texels& texels = levels[level][face];
-            const GLenum target = GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, type = format_of(texels.type).component;
-            const auto at = static_cast<GLint>(level);
-            if (fresh)
-                glTexImage2D(target, at, static_cast<GLint>(internal_format(texels.type)), texels.width, texels.height,
-                             0, GL_RGBA, type, texels.data);
-            else
-                glTexSubImage2D(target, at, 0, 0, texels.width, texels.height, GL_RGBA, type, texels.data);
-        }
-}
-
-}  // namespace
 
 Texture make_cube_levels(const std::vector<std::array<Texels, 6>>& levels) {
     Texture texture(make(glGenTextures));

@@ -2,7 +2,6 @@
 
 #include <sys/stat.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -164,6 +163,16 @@ private:
     std::vector<std::pair<std::size_t, std::size_t>> inclusions_;  // from one of the shaders to another
 };
 
+// What is said of the other stages, and of the scene, where there are none.
+Diagnostics without_others(const Diagnostics& all) {
+    Diagnostics kept;
+    for (const Diagnostic& diagnostic : all.items())
+        if (diagnostic.code != lint::facts(lint::Rule::program_not_drawn).code &&
+            diagnostic.code != "input-without-output")
+            kept.add(diagnostic);
+    return kept;
+}
+
 }  // namespace
 
 std::string_view Project::path_of(FileId file) const {
@@ -196,20 +205,6 @@ const Shader* Project::shader_of(FileId file) const {
     const auto found = ranges::find_if(shaders, [&](const Shader& s) { return s.file == wanted; });
     return found == shaders.end() ? nullptr : &*found;
 }
-
-namespace {
-
-// What is said of the other stages, and of the scene, where there are none.
-Diagnostics without_others(const Diagnostics& all) {
-    Diagnostics kept;
-    for (const Diagnostic& diagnostic : all.items())
-        if (diagnostic.code != lint::facts(lint::Rule::program_not_drawn).code &&
-            diagnostic.code != "input-without-output")
-            kept.add(diagnostic);
-    return kept;
-}
-
-}  // namespace
 
 Project read_project(const std::string& scene_path, const Access& access, Depth depth) {
     Project project;

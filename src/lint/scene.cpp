@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <tuple>
 
-#include "parser/text/article.h"
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/tree.h"

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
 #include <set>
 
 #include "parser/text_of.h"
@@ -14,20 +12,18 @@ constexpr std::array stage_names{"vertex", "tess control", "tess evaluation", "g
 constexpr std::array target_names{"1D", "2D", "3D", "cube"};
 
 std::string at(const Span& span, const Sources& sources) {
-    if (span.file >= sources.size()) return "?";
     return fmt::format("{}:{}", sources.name(span.file), sources.position(span.file, span.begin).line);
 }
 
 void dump_programs(std::string& out, const Plan& plan, const Sources& sources) {
     std::set<FileId> files;
     for (const PlannedProgram& planned : plan.programs) {
-        const bool known = planned.program < plan.scene.programs.size();
-        const std::string name = known ? plan.scene.programs[planned.program].name : std::string("?");
-        out += fmt::format("program {} '{}'{}\n", planned.program, name, planned.readable ? "" : " (not readable)");
+        out += fmt::format("program {} '{}'{}\n", planned.program, plan.scene.programs[planned.program].name,
+                           planned.readable ? "" : " (not readable)");
         for (const glsl::StageInput& stage : planned.stages) {
             files.insert(stage.file);
-            out += fmt::format("  {}: {}\n", stage_names[static_cast<std::size_t>(stage.stage)],
-                               stage.file < sources.size() ? sources.name(stage.file) : "?");
+            out +=
+                fmt::format("  {}: {}\n", stage_names[static_cast<std::size_t>(stage.stage)], sources.name(stage.file));
         }
     }
     out += fmt::format("shader files: {}\n", files.size());
@@ -58,9 +54,8 @@ void dump_textures(std::string& out, const Plan& plan, const Sources& sources) {
             out += fmt::format(", empty {} x {} x {}", texture.size[0], texture.size[1], texture.size[2]);
         }
         for (const FileName& file : texture.files) out += fmt::format(" '{}'", file.name);
-        if (i < plan.same_pixels.size() && plan.same_pixels[i] != i) {
+        if (i < plan.same_pixels.size() && plan.same_pixels[i] != i)
             out += fmt::format(", pixels of texture {}", plan.same_pixels[i]);
-        }
         out += fmt::format(", at {}\n", at(texture.span, sources));
     }
 }
@@ -89,7 +84,6 @@ void dump_passes(std::string& out, const Plan& plan, const Sources& sources) {
                 out += "  clear\n";
                 continue;
             }
-            if (item.index >= plan.scene.draws.size()) continue;
             const Draw& draw = plan.scene.draws[item.index];
             const std::string program = draw.program == none ? "built-in" : std::to_string(draw.program);
             out +=

@@ -48,9 +48,8 @@ std::string join(std::string_view folder, std::string_view name) {
 std::string tidy(std::string_view name) {
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.front())) != 0) name.remove_prefix(1);
     while (!name.empty() && std::isspace(static_cast<unsigned char>(name.back())) != 0) name.remove_suffix(1);
-    if (name.size() > 1 && name.front() == name.back() && (name.front() == '"' || name.front() == '\'')) {
+    if (name.size() > 1 && name.front() == name.back() && (name.front() == '"' || name.front() == '\''))
         name = name.substr(1, name.size() - 2);
-    }
     std::string slashed(name);
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     std::string result = !slashed.empty() && slashed[0] == '/' ? "/" : "";
@@ -176,27 +175,6 @@ struct Finder {
     }
 };
 
-}  // namespace
-
-Access Access::with(std::map<std::string, std::string> texts) const {
-    Access access = *this;
-    if (instead) texts.insert(instead->begin(), instead->end());
-    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
-    return access;
-}
-
-Files::Files(std::string folder, Access access) : folder_(std::move(folder)), access_(std::move(access)) {
-    if (!access_.confine) return;
-    const auto add = [&](const std::string& root) {
-        const std::string real = real_path(root);
-        roots_.push_back(real.empty() ? "/\n" : real);  // if the folder does not exist, no file is inside of it
-    };
-    add(*access_.confine);
-    for (const std::string& more : access_.allow) add(more);
-}
-
-namespace {
-
 // Remembers a failed look-up: a scene may name the same missing file thousands of times, and each search reads whole
 // folders.
 template <class Look>
@@ -215,6 +193,23 @@ Resolved once(std::mutex& mutex, std::map<std::string, Resolved>& missing, std::
 }
 
 }  // namespace
+
+Access Access::with(std::map<std::string, std::string> texts) const {
+    Access access = *this;
+    if (instead) texts.insert(instead->begin(), instead->end());
+    access.instead = std::make_shared<const std::map<std::string, std::string>>(std::move(texts));
+    return access;
+}
+
+Files::Files(std::string folder, Access access) : folder_(std::move(folder)), access_(std::move(access)) {
+    if (!access_.confine) return;
+    const auto add = [&](const std::string& root) {
+        const std::string real = real_path(root);
+        roots_.push_back(real.empty() ? "/\n" : real);  // if the folder does not exist, no file is inside of it
+    };
+    add(*access_.confine);
+    for (const std::string& more : access_.allow) add(more);
+}
 
 Resolved Files::resolve(std::string_view written, const std::vector<std::string_view>& extensions) const {
     const Resolved found = in_folder(written, extensions);

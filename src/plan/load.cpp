@@ -218,9 +218,7 @@ content::Mesh load_mesh(const Plan& plan, Index mesh, Files& files, Diagnostics&
         span = scene.files[file].span;
         result = read_mesh(scene.files[file], request, files, diagnostics);
     } else if (const auto* list = std::get_if<VertexList>(&request.shape)) {
-        if (list->list < scene.vertex_lists.size()) {
-            result = content::make_vertex_list(scene.vertex_lists[list->list]);
-        }
+        if (list->list < scene.vertex_lists.size()) result = content::make_vertex_list(scene.vertex_lists[list->list]);
     } else if (file == none) {
         result = content::make_shape(request.shape, request.wire, mesh_limits(files));
     }

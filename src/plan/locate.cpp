@@ -127,6 +127,30 @@ int noise_size(const Texture& texture, std::string_view name, const Files& files
     return size <= most ? size : 0;
 }
 
+std::string_view extension_of(std::string_view file) {
+    const std::size_t dot = file.rfind('.');
+    return dot == std::string_view::npos || dot == 0 ? std::string_view() : file.substr(dot + 1);
+}
+
+bool among(std::string_view word, std::span<const std::string_view> words) {
+    return ranges::any_of(words, [&](std::string_view other) { return same_word(word, other); });
+}
+
+// Extensions that tell what a file is.
+constexpr std::string_view telling[] = {"glib", "vert", "vs",  "tcs", "tes", "geom", "gs",  "frag", "fs",
+                                        "obj",  "shp",  "bmp", "png", "jpg", "tex",  "mtl", "hdr",  "exr"};
+
+std::string_view without_extension(std::string_view file) {
+    const std::string_view extension = extension_of(file);
+    return extension.empty() ? file : file.substr(0, file.size() - extension.size() - 1);
+}
+
+// "light" of light.vert.glsl.
+std::string_view stem_of(std::string_view file) {
+    const std::string_view stem = without_extension(file);
+    return among(extension_of(stem), telling) ? without_extension(stem) : stem;
+}
+
 }  // namespace
 
 const Extensions& stage_extensions(Stage stage) {
@@ -220,34 +244,6 @@ std::vector<TextureFile> locate_texture(const Texture& texture, const Files& fil
     report_missing(missing, diagnostics, missing.size() > 1 ? " for faces of the cube map" : "");
     return result;
 }
-
-namespace {
-
-std::string_view extension_of(std::string_view file) {
-    const std::size_t dot = file.rfind('.');
-    return dot == std::string_view::npos || dot == 0 ? std::string_view() : file.substr(dot + 1);
-}
-
-bool among(std::string_view word, std::span<const std::string_view> words) {
-    return ranges::any_of(words, [&](std::string_view other) { return same_word(word, other); });
-}
-
-// Extensions that tell what a file is.
-constexpr std::string_view telling[] = {"glib", "vert", "vs",  "tcs", "tes", "geom", "gs",  "frag", "fs",
-                                        "obj",  "shp",  "bmp", "png", "jpg", "tex",  "mtl", "hdr",  "exr"};
-
-std::string_view without_extension(std::string_view file) {
-    const std::string_view extension = extension_of(file);
-    return extension.empty() ? file : file.substr(0, file.size() - extension.size() - 1);
-}
-
-// "light" of light.vert.glsl.
-std::string_view stem_of(std::string_view file) {
-    const std::string_view stem = without_extension(file);
-    return among(extension_of(stem), telling) ? without_extension(stem) : stem;
-}
-
-}  // namespace
 
 bool same_kind(std::string_view file, std::string_view asked, const std::vector<std::string_view>& extensions) {
     const std::string_view extension = extension_of(file), inner = extension_of(without_extension(file));

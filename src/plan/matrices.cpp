@@ -79,6 +79,21 @@ glm::dvec3 upright(const glm::dvec3& forward, const glm::dvec3& up) {
     return direction(u - forward * glm::dot(forward, u));
 }
 
+double length(const glm::dvec3& v) {
+    const double size = largest_of(v);
+    return size > 0 ? size * std::sqrt(glm::dot(v / size, v / size)) : 0;
+}
+
+// |det| relative to its largest possible value (Hadamard's bound), by columns or by rows, whichever is larger: 1 for
+// any scaling of perpendicular axes, and rounding noise for a matrix that flattens space.
+double independence(const glm::dmat3& a, double determinant) {
+    const glm::dmat3 t = glm::transpose(a);
+    const double columns = length(a[0]) * length(a[1]) * length(a[2]);
+    const double rows = length(t[0]) * length(t[1]) * length(t[2]);
+    const double most = std::min(columns, rows);
+    return most > 0 ? std::abs(determinant) / most : 0;
+}
+
 }  // namespace
 
 glm::dmat4 projection_matrix(const Camera& camera, double aspect, std::optional<DepthRange> depth) {
@@ -99,33 +114,12 @@ glm::dmat4 view_matrix(const Camera& camera) {
     if (up == glm::dvec3(0)) up = upright(forward, {0, 0, forward.y});
     const glm::dvec3 right = glm::cross(forward, up);
     glm::dmat4 m(1);
-    for (int column = 0; column < 3; ++column) {
-        m[column] = glm::dvec4(right[column], up[column], -forward[column], 0);
-    }
+    for (int column = 0; column < 3; ++column) m[column] = glm::dvec4(right[column], up[column], -forward[column], 0);
     const glm::dvec3 shift(-glm::dot(right, eye), -glm::dot(up, eye), glm::dot(forward, eye));
     if (!finite(shift)) return glm::dmat4(1);
     m[3] = glm::dvec4(shift, 1);
     return m;
 }
-
-namespace {
-
-double length(const glm::dvec3& v) {
-    const double size = largest_of(v);
-    return size > 0 ? size * std::sqrt(glm::dot(v / size, v / size)) : 0;
-}
-
-// |det| relative to its largest possible value (Hadamard's bound), by columns or by rows, whichever is larger: 1 for
-// any scaling of perpendicular axes, and rounding noise for a matrix that flattens space.
-double independence(const glm::dmat3& a, double determinant) {
-    const glm::dmat3 t = glm::transpose(a);
-    const double columns = length(a[0]) * length(a[1]) * length(a[2]);
-    const double rows = length(t[0]) * length(t[1]) * length(t[2]);
-    const double most = std::min(columns, rows);
-    return most > 0 ? std::abs(determinant) / most : 0;
-}
-
-}  // namespace
 
 glm::dmat3 normal_matrix(const glm::dmat4& model_view) {
     constexpr double noise = 1e-14;

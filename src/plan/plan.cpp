@@ -96,9 +96,8 @@ private:
                 continue;
             }
             std::string key(1, static_cast<char>(texture.target));
-            for (const TextureFile& file : locate_texture(texture, files_, diagnostics_)) {
+            for (const TextureFile& file : locate_texture(texture, files_, diagnostics_))
                 (key += file.path.empty() ? file.name : file.path) += '\0';
-            }
             plan_.same_pixels.push_back(known.try_emplace(std::move(key), index).first->second);
         }
     }
@@ -147,9 +146,8 @@ std::optional<TextureTarget> sampler_target(std::string_view name, std::string_v
 }
 
 std::optional<Diagnostic> feedback_error(const Scene& scene, Index pass, Index draw, Index texture) {
-    if (pass >= scene.passes.size() || draw >= scene.draws.size() || texture >= scene.textures.size()) {
+    if (pass >= scene.passes.size() || draw >= scene.draws.size() || texture >= scene.textures.size())
         return std::nullopt;
-    }
     const Pass& target = scene.passes[pass];
     if (target.kind == Pass::Kind::window ||
         std::find(target.textures.begin(), target.textures.end(), texture) == target.textures.end()) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -314,11 +313,9 @@ Transformation* named(std::string_view prefix, View& view) {
     if (prefix == "eye.") return &view.eye;
     if (prefix == "texture.") return &view.texture;
     constexpr std::string_view object = "object";
-    unsigned draw = 0;
-    const char* end = prefix.data() + prefix.size() - 1;
     if (!prefix.starts_with(object)) return nullptr;
-    const auto [stop, error] = std::from_chars(prefix.data() + object.size(), end, draw);
-    return error == std::errc() && stop == end ? &view.objects[draw] : nullptr;
+    const auto draw = read_whole<unsigned>(prefix.substr(object.size(), prefix.size() - object.size() - 1));
+    return draw ? &view.objects[*draw] : nullptr;
 }
 
 std::string parse_one(std::string_view text, View& view) {
@@ -332,19 +329,17 @@ std::string parse_one(std::string_view text, View& view) {
     }
     const std::size_t begin = dot == text.npos ? 0 : dot + 1;
     const std::string_view name = text.substr(begin, equals - begin), number = text.substr(equals + 1);
-    double value = 0;
-    const auto [stop, error] = read_real(number.data(), number.data() + number.size(), value);
-    if (error != std::errc() || stop != number.data() + number.size() || !std::isfinite(value))
-        return fmt::format("'{}' is no number", number);
+    const auto value = read_whole<double>(number);
+    if (!value || !std::isfinite(*value)) return fmt::format("'{}' is no number", number);
     if (text.substr(0, equals) == "background") {
-        if (!(value >= 0 && value <= 1)) return fmt::format("'{}' is not a brightness from 0 to 1", number);
+        if (!(*value >= 0 && *value <= 1)) return fmt::format("'{}' is not a brightness from 0 to 1", number);
         view.background = value;
         return {};
     }
     Transformation* transformation = named(text.substr(0, begin), view);
     for (const ViewPart& part : parts)
         if (transformation && part.name == name) {
-            transformation->*part.value = value;
+            transformation->*part.value = *value;
             return {};
         }
     return fmt::format(

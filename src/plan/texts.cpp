@@ -25,6 +25,29 @@ IncludeReader scene_includes(Files& files) {
     };
 }
 
+// The names in quotes on the lines with an `include`, once each. Lines that are no directives do no harm.
+std::set<std::string_view> included_names(std::string_view text) {
+    constexpr std::string_view directive = "include";
+    std::set<std::string_view> names;
+    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + directive.size())) {
+        const std::size_t quote = text.find_first_of("\"\n", at);
+        if (quote == text.npos || text[quote] != '"') continue;
+        const std::size_t end = text.find_first_of("\"\n", quote + 1);
+        if (end != text.npos && text[end] == '"') names.insert(text.substr(quote + 1, end - quote - 1));
+    }
+    return names;
+}
+
+std::set<std::string> included_files(const Plan& plan, const Sources& sources, const Files& files) {
+    Files reader(files.folder(), files.access());
+    std::set<std::string> found;
+    for (const PlannedProgram& program : plan.programs) {
+        const std::vector<ShaderText> texts = shader_texts(program, sources, reader);
+        for (std::size_t i = program.stages.size(); i < texts.size(); ++i) found.insert(texts[i].path);
+    }
+    return found;
+}
+
 }  // namespace
 
 std::optional<ParsedDocument> parse_document(const std::string& path, Files& files, Sources& sources,
@@ -64,33 +87,6 @@ glsl::IncludeReader shader_includes(Files& files) {
         return glsl::IncludeText{resolved.path, *text};
     };
 }
-
-namespace {
-
-// The names in quotes on the lines with an `include`, once each. Lines that are no directives do no harm.
-std::set<std::string_view> included_names(std::string_view text) {
-    constexpr std::string_view directive = "include";
-    std::set<std::string_view> names;
-    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + directive.size())) {
-        const std::size_t quote = text.find_first_of("\"\n", at);
-        if (quote == text.npos || text[quote] != '"') continue;
-        const std::size_t end = text.find_first_of("\"\n", quote + 1);
-        if (end != text.npos && text[end] == '"') names.insert(text.substr(quote + 1, end - quote - 1));
-    }
-    return names;
-}
-
-std::set<std::string> included_files(const Plan& plan, const Sources& sources, const Files& files) {
-    Files reader(files.folder(), files.access());
-    std::set<std::string> found;
-    for (const PlannedProgram& program : plan.programs) {
-        const std::vector<ShaderText> texts = shader_texts(program, sources, reader);
-        for (std::size_t i = program.stages.size(); i < texts.size(); ++i) found.insert(texts[i].path);
-    }
-    return found;
-}
-
-}  // namespace
 
 // A list, not a recursion, because the chain of includes may be long.
 std::vector<ShaderText> shader_texts(const PlannedProgram& program, const Sources& sources, Files& reader) {

@@ -1,6 +1,7 @@
 #include "src/plan/view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -24,19 +25,59 @@ SinCos sin_cos(double degrees) {
     const double quarter = std::nearbyint(reduced / 90.);
     const double rest = (reduced - 90. * quarter) * (3.14159265358979323846 / 180.);
     const double s = std::sin(rest), c = std::cos(rest);
-    switch ((static_cast<int>(quarter) + 4) % 4) {
-        case 1:
-            return {c, -s};
-        case 2:
-            return {-s, -c};
-        case 3:
-            return {-c, s};
-        default:
-            return {s, c};
-    }
+    const std::array<SinCos, 4> turned{{{s, c}, {c, -s}, {-s, -c}, {-c, s}}};
+    return turned[static_cast<std::size_t>(quarter + 4) % 4];
 }
 
 double finite_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
+
+double half_angle(const Camera& camera) {
+    const bool sound = camera.fov > 0 && camera.fov < 180;
+    return glm::radians((sound ? camera.fov : Camera{}.fov) / 2);
+}
+
+// Returns the member of View, or null for the transformation of an object.
+Transformation View::*part(Held held) {
+    constexpr std::array<Transformation View::*, 4> members{&View::scene, &View::eye, nullptr, &View::texture};
+    return members[static_cast<std::size_t>(held)];
+}
+
+constexpr double degrees_per_point = .5;
+constexpr double smallest = 1e-3, largest = 1e3;
+
+glm::dmat4 matrix(const Mat4& m) {
+    glm::dmat4 result;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) result[column][row] = m[static_cast<std::size_t>(column * 4 + row)];
+    return result;
+}
+
+// Converts points to the units of the transformation that is held, so that what is dragged stays under the mouse.
+glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view, const HoldMemory& hold,
+                 double shorter) {
+    if (hold.held == Held::texture) return glm::dvec3(-points.x, -points.y, points.z) / shorter;
+    const bool object = hold.held == Held::object && hold.object < scene.draws.size();
+    const Draw* draw = object ? &scene.draws[hold.object] : nullptr;
+    const Camera camera =
+        draw && draw->camera < scene.cameras.size() ? scene.cameras[draw->camera] : window_camera(scene);
+    const glm::dmat4 seen = eye_from_world(camera, view);
+    const Lens lens = lens_of(camera, view.projection, seen);
+    const glm::dvec3 origin(seen[3]);
+    const Transformation t = held(view, hold);
+    if (!object) {
+        const glm::dvec3 at = hold.held == Held::scene ? origin + glm::dvec3(t.x, t.y, t.z) : origin;
+        return points * units_per_step(lens, at, shorter);
+    }
+    const glm::dmat4 model =
+        draw->matrix < scene.matrices.size() ? matrix(scene.matrices[draw->matrix]) : glm::dmat4(1);
+    const glm::dvec3 in_eye(seen * placed(t, camera, model)[3]);
+    const glm::dmat4 turned = about_origin(view.scene, camera, seen);
+    const glm::dvec3 at(turned * glm::dvec4(in_eye, 1));
+    const glm::dmat3 eye(seen * glm::inverse(view_matrix(camera)));
+    const glm::dvec3 way = glm::inverse(glm::dmat3(turned) * eye) * (points * units_per_step(lens, at, shorter));
+    const bool finite = std::isfinite(way.x) && std::isfinite(way.y) && std::isfinite(way.z);
+    return finite ? way : glm::dvec3(0);
+}
 
 }  // namespace
 
@@ -76,15 +117,6 @@ glm::dmat4 about_origin(const Transformation& scene, const Camera& camera, const
     return glm::translate(glm::dmat4(1), pivot) * scene.matrix(vertical_of(camera, view)) *
            glm::translate(glm::dmat4(1), -pivot);
 }
-
-namespace {
-
-double half_angle(const Camera& camera) {
-    const bool sound = camera.fov > 0 && camera.fov < 180;
-    return glm::radians((sound ? camera.fov : Camera{}.fov) / 2);
-}
-
-}  // namespace
 
 Lens lens_of(const Camera& camera, Projection chosen, const glm::dmat4& view) {
     Lens lens{camera, glm::dmat4(1)};
@@ -137,25 +169,6 @@ void hold_object(HoldMemory& hold, Index object) {
         hold.held = Held::scene;
 }
 
-namespace {
-
-// Returns the member of View, or null for the transformation of an object.
-Transformation View::*part(Held held) {
-    switch (held) {
-        case Held::scene:
-            return &View::scene;
-        case Held::eye:
-            return &View::eye;
-        case Held::texture:
-            return &View::texture;
-        case Held::object:
-            break;
-    }
-    return nullptr;
-}
-
-}  // namespace
-
 Transformation held(const View& view, const HoldMemory& hold) {
     if (const auto member = part(hold.held)) return view.*member;
     const auto object = view.objects.find(hold.object);
@@ -178,47 +191,6 @@ void reset_view(View& view) {
     fresh.mouse_y = view.mouse_y;
     view = std::move(fresh);
 }
-
-namespace {
-
-constexpr double degrees_per_point = .5;
-constexpr double smallest = 1e-3, largest = 1e3;
-
-glm::dmat4 matrix(const Mat4& m) {
-    glm::dmat4 result;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) result[column][row] = m[static_cast<std::size_t>(column * 4 + row)];
-    return result;
-}
-
-// Converts points to the units of the transformation that is held, so that what is dragged stays under the mouse.
-glm::dvec3 moved(const glm::dvec3& points, const Scene& scene, const View& view, const HoldMemory& hold,
-                 double shorter) {
-    if (hold.held == Held::texture) return glm::dvec3(-points.x, -points.y, points.z) / shorter;
-    const bool object = hold.held == Held::object && hold.object < scene.draws.size();
-    const Draw* draw = object ? &scene.draws[hold.object] : nullptr;
-    const Camera camera =
-        draw && draw->camera < scene.cameras.size() ? scene.cameras[draw->camera] : window_camera(scene);
-    const glm::dmat4 seen = eye_from_world(camera, view);
-    const Lens lens = lens_of(camera, view.projection, seen);
-    const glm::dvec3 origin(seen[3]);
-    const Transformation t = held(view, hold);
-    if (!object) {
-        const glm::dvec3 at = hold.held == Held::scene ? origin + glm::dvec3(t.x, t.y, t.z) : origin;
-        return points * units_per_step(lens, at, shorter);
-    }
-    const glm::dmat4 model =
-        draw->matrix < scene.matrices.size() ? matrix(scene.matrices[draw->matrix]) : glm::dmat4(1);
-    const glm::dvec3 in_eye(seen * placed(t, camera, model)[3]);
-    const glm::dmat4 turned = about_origin(view.scene, camera, seen);
-    const glm::dvec3 at(turned * glm::dvec4(in_eye, 1));
-    const glm::dmat3 eye(seen * glm::inverse(view_matrix(camera)));
-    const glm::dvec3 way = glm::inverse(glm::dmat3(turned) * eye) * (points * units_per_step(lens, at, shorter));
-    const bool finite = std::isfinite(way.x) && std::isfinite(way.y) && std::isfinite(way.z);
-    return finite ? way : glm::dvec3(0);
-}
-
-}  // namespace
 
 bool upside_down(const Transformation& t, const Scene& scene) {
     const Camera camera = window_camera(scene);

@@ -1,7 +1,6 @@
 // Finds and binds what each draw reads: textures by the units of its samplers, noise, harmonics.
 #include <fmt/format.h>
 
-#include "parser/text/article.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/runtime/impl.h"

@@ -15,20 +15,14 @@ using runtime::ReadyPass;
 namespace {
 
 std::string_view input_name(GLenum input) {
-    switch (input) {
-        case GL_POINTS:
-            return "points";
-        case GL_LINES:
-            return "lines";
-        case GL_LINES_ADJACENCY:
-            return "lines_adjacency";
-        case GL_TRIANGLES:
-            return "triangles";
-        case GL_TRIANGLES_ADJACENCY:
-            return "triangles_adjacency";
-        default:
-            return "patches";
-    }
+    constexpr std::pair<GLenum, std::string_view> names[]{{GL_POINTS, "points"},
+                                                          {GL_LINES, "lines"},
+                                                          {GL_LINES_ADJACENCY, "lines_adjacency"},
+                                                          {GL_TRIANGLES, "triangles"},
+                                                          {GL_TRIANGLES_ADJACENCY, "triangles_adjacency"}};
+    for (const auto& [known, name] : names)
+        if (known == input) return name;
+    return "patches";
 }
 
 int outputs_of(const Pass& pass, const gl::Caps& caps) {

@@ -1,5 +1,4 @@
 // Meshes and their trees are made when the first draw that uses them is prepared.
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "parser/text/ranges.h"
@@ -25,6 +24,36 @@ void read(const PixelRect& region, GLenum format, std::vector<float>& values) {
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(left, bottom, width, height, format, GL_FLOAT, values.data());
 }
+
+struct Look {
+    std::string_view name;
+    std::array<std::uint8_t, 3> color;
+};
+
+constexpr std::array<Look, flag_count> looks{{{"", {0, 0, 0}},
+                                              {"above 1", {255, 106, 0}},
+                                              {"negative", {40, 140, 255}},
+                                              {"infinite", {255, 232, 0}},
+                                              {"NaN", {255, 0, 220}}}};
+
+const Look& look_of(Flag flag) { return looks[static_cast<std::size_t>(flag)]; }
+
+constexpr const char* ids_fragment =
+    "uniform sampler2D cover;\nout vec4 color;\nuniform vec4 id;\nvoid main() {\n"
+    "    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a >= 1.) discard;\n    color = id;\n}\n";
+
+// Each of the four samples lies between four texels: together they see all around the pixel. A dark rim around the
+// bright line is seen on any picture.
+constexpr const char* outline_fragment =
+    "uniform sampler2D cover;\nout vec4 color;\nuniform float width;\n"
+    "bool covered(float away) {\n    vec2 size = vec2(textureSize(cover, 0));\n    float least = 1.;\n"
+    "    for (int i = 0; i < 4; ++i)\n"
+    "        least = min(least, texture(cover, (gl_FragCoord.xy + away * vec2((i & 1) * 2 - 1, (i & 2) - 1)) / "
+    "size).a);\n"
+    "    return least < .998;\n}\n"
+    "void main() {\n    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a < 1.) discard;\n"
+    "    bool line = covered(width - .5);\n    if (!line && !covered(width + .5)) discard;\n"
+    "    color = line ? vec4(1., .62, .05, 1.) : vec4(.1, .06, 0., 1.);\n}\n";
 
 }  // namespace
 
@@ -99,23 +128,6 @@ void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, i
         found.distance = runtime.distance(found.draw, *found.depth, frame, surface);
 }
 
-namespace {
-
-struct Look {
-    std::string_view name;
-    std::array<std::uint8_t, 3> color;
-};
-
-constexpr std::array<Look, flag_count> looks{{{"", {0, 0, 0}},
-                                              {"above 1", {255, 106, 0}},
-                                              {"negative", {40, 140, 255}},
-                                              {"infinite", {255, 232, 0}},
-                                              {"NaN", {255, 0, 220}}}};
-
-const Look& look_of(Flag flag) { return looks[static_cast<std::size_t>(flag)]; }
-
-}  // namespace
-
 std::string_view name(Flag flag) { return look_of(flag).name; }
 std::array<std::uint8_t, 3> color_of(Flag flag) { return look_of(flag).color; }
 
@@ -155,27 +167,6 @@ void paint_flags(std::span<const float> rgba, std::vector<std::byte>& picture) {
 }
 
 namespace runtime {
-
-namespace {
-
-constexpr const char* ids_fragment =
-    "uniform sampler2D cover;\nout vec4 color;\nuniform vec4 id;\nvoid main() {\n"
-    "    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a >= 1.) discard;\n    color = id;\n}\n";
-
-// Each of the four samples lies between four texels: together they see all around the pixel. A dark rim around the
-// bright line is seen on any picture.
-constexpr const char* outline_fragment =
-    "uniform sampler2D cover;\nout vec4 color;\nuniform float width;\n"
-    "bool covered(float away) {\n    vec2 size = vec2(textureSize(cover, 0));\n    float least = 1.;\n"
-    "    for (int i = 0; i < 4; ++i)\n"
-    "        least = min(least, texture(cover, (gl_FragCoord.xy + away * vec2((i & 1) * 2 - 1, (i & 2) - 1)) / "
-    "size).a);\n"
-    "    return least < .998;\n}\n"
-    "void main() {\n    if (texelFetch(cover, ivec2(gl_FragCoord.xy), 0).a < 1.) discard;\n"
-    "    bool line = covered(width - .5);\n    if (!line && !covered(width + .5)) discard;\n"
-    "    color = line ? vec4(1., .62, .05, 1.) : vec4(.1, .06, 0., 1.);\n}\n";
-
-}  // namespace
 
 bool Picker::resize(int width, int height) {
     if (cover_target_.framebuffer && width_ == width && height_ == height) return true;

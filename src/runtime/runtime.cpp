@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -24,6 +23,33 @@ std::optional<Runtime::Held> held_of(const runtime::GpuTexture* gpu) {
     const int longest = *ranges::max_element(gpu->size);
     const int levels = gpu->mipmapped ? std::bit_width(static_cast<unsigned>(longest)) : gpu->levels;
     return Runtime::Held{{gpu->texture.get(), gpu->target, gpu->size}, levels, gpu->pixels};
+}
+
+glm::dmat4 matrix(const Mat4& m) {
+    glm::dmat4 result;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) result[column][row] = m[static_cast<size_t>(column * 4 + row)];
+    return result;
+}
+
+// `region` is the scissor box, if one is set; it stays set.
+void clear(const Vec4& color, const std::optional<PixelRect>& region) {
+    if (!region) glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    const auto part = [&](size_t i) { return static_cast<float>(std::clamp(color[i], 0.0, 1.0)); };
+    glClearColor(part(0), part(1), part(2), part(3));
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+// Returns the view of a cube face from `center`. It is such that the first row of the face is its top row.
+glm::dmat4 face_view(int face, const Vec3& center) {
+    static const std::array<glm::dvec3, 6> forward{glm::dvec3(1, 0, 0),  glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
+                                                   glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),  glm::dvec3(0, 0, -1)};
+    static const std::array<glm::dvec3, 6> up{glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),
+                                              glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 0)};
+    const glm::dvec3 eye(center[0], center[1], center[2]);
+    return glm::lookAt(eye, eye + forward[static_cast<size_t>(face)], up[static_cast<size_t>(face)]);
 }
 
 }  // namespace
@@ -92,37 +118,6 @@ using runtime::hidden;
 using runtime::LinkedProgram;
 using runtime::ReadyDraw;
 using runtime::ReadyPass;
-
-namespace {
-
-glm::dmat4 matrix(const Mat4& m) {
-    glm::dmat4 result;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) result[column][row] = m[static_cast<size_t>(column * 4 + row)];
-    return result;
-}
-
-// `region` is the scissor box, if one is set; it stays set.
-void clear(const Vec4& color, const std::optional<PixelRect>& region) {
-    if (!region) glDisable(GL_SCISSOR_TEST);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    const auto part = [&](size_t i) { return static_cast<float>(std::clamp(color[i], 0.0, 1.0)); };
-    glClearColor(part(0), part(1), part(2), part(3));
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-}
-
-// Returns the view of a cube face from `center`. It is such that the first row of the face is its top row.
-glm::dmat4 face_view(int face, const Vec3& center) {
-    static const std::array<glm::dvec3, 6> forward{glm::dvec3(1, 0, 0),  glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0),
-                                                   glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),  glm::dvec3(0, 0, -1)};
-    static const std::array<glm::dvec3, 6> up{glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1),
-                                              glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0), glm::dvec3(0, -1, 0)};
-    const glm::dvec3 eye(center[0], center[1], center[2]);
-    return glm::lookAt(eye, eye + forward[static_cast<size_t>(face)], up[static_cast<size_t>(face)]);
-}
-
-}  // namespace
 
 // All draws of a pass through one camera share these values.
 DrawContext Runtime::Impl::look(Index camera, const Frame& frame, const PassView& view) const {

@@ -32,6 +32,15 @@ std::vector<ActiveUniform> as_declared(std::vector<ActiveUniform> uniforms, cons
     return uniforms;
 }
 
+constexpr std::size_t most_forms = 4;  // besides that of any values
+
+std::vector<double> values_of(const Controls& controls) {
+    std::vector<double> values;
+    for (const Control& control : controls.items)
+        values.insert(values.end(), control.value.begin(), control.value.end());
+    return values;
+}
+
 }  // namespace
 
 // The controls of a program that is not compiled yet are those of the uniforms that it declares.
@@ -254,19 +263,6 @@ void Runtime::Impl::forget_forms() {
     making.values.clear();
     making.state = runtime::Making::State::done;
 }
-
-namespace {
-
-constexpr std::size_t most_forms = 4;  // besides that of any values
-
-std::vector<double> values_of(const Controls& controls) {
-    std::vector<double> values;
-    for (const Control& control : controls.items)
-        values.insert(values.end(), control.value.begin(), control.value.end());
-    return values;
-}
-
-}  // namespace
 
 bool Runtime::Impl::specialise(const Frame& frame, const Surface& surface) {
     using State = runtime::Making::State;

@@ -39,6 +39,21 @@ std::string checked(const State& state, const Scene& scene, bool driver) {
         published(result.diagnostics, result.sources, scene.path, state.documents, state.services, state.encoding));
 }
 
+// Adds what another scene says of the same text. A fix is offered if all scenes that report the problem have it.
+void add_said(Json& all, const Json& more) {
+    for (const Json& one : more) {
+        const auto same = [&](const Json& other) {
+            return other.at("range") == one.at("range") && other.at("code") == one.at("code") &&
+                   other.at("message") == one.at("message");
+        };
+        const auto known = ranges::find_if(all, same);
+        if (known == all.end())
+            all.push_back(one);
+        else if (!one.contains("data"))
+            known->erase("data");
+    }
+}
+
 }  // namespace
 
 Checks::Next Checks::next() const {
@@ -101,25 +116,6 @@ void Checks::take(const std::string& result) {
     scene->said = std::move(said);
     publish();
 }
-
-namespace {
-
-// Adds what another scene says of the same text. A fix is offered if all scenes that report the problem have it.
-void add_said(Json& all, const Json& more) {
-    for (const Json& one : more) {
-        const auto same = [&](const Json& other) {
-            return other.at("range") == one.at("range") && other.at("code") == one.at("code") &&
-                   other.at("message") == one.at("message");
-        };
-        const auto known = ranges::find_if(all, same);
-        if (known == all.end())
-            all.push_back(one);
-        else if (!one.contains("data"))
-            known->erase("data");
-    }
-}
-
-}  // namespace
 
 // All that the scenes of a text say of it, in an order of their own: which one was asked about last does not matter.
 void Checks::publish() {

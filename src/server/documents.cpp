@@ -23,6 +23,13 @@ bool joins_halves(std::string_view text, std::size_t at) {
     return text.substr(0, at).ends_with(replacement) && text.substr(at).starts_with(replacement);
 }
 
+void reset(Scene& scene) {
+    scene.project.reset();
+    scene.check = scene.driver = true;
+    scene.failed = false;
+    scene.changed = Clock::now();
+}
+
 }  // namespace
 
 void apply(Document& document, const std::vector<Change>& changes, Encoding encoding) {
@@ -88,17 +95,6 @@ std::string real_path(const std::string& path) {
     const std::filesystem::path real = std::filesystem::canonical(path, error);
     return error ? path : real.string();
 }
-
-namespace {
-
-void reset(Scene& scene) {
-    scene.project.reset();
-    scene.check = scene.driver = true;
-    scene.failed = false;
-    scene.changed = Clock::now();
-}
-
-}  // namespace
 
 Scene& Workspace::open(const std::string& path, bool alone) {
     const auto found = ranges::find_if(scenes_, [&](const Scene& s) { return s.path == path && s.alone == alone; });

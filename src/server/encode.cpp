@@ -77,6 +77,27 @@ std::string plain_text(const std::string& snippet) {
     return plain;
 }
 
+// A string of JSON.
+void add_quoted(std::string& out, std::string_view text) {
+    const auto plain = [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; };
+    if (ranges::all_of(text, plain))
+        out.append(1, '"').append(text).append(1, '"');
+    else
+        out += text_of(Json(text));
+}
+
+// Elements with commas between them, in brackets.
+template <class Elements, class Add>
+void add_list(std::string& out, const Elements& elements, Add&& add) {
+    out += '[';
+    bool first = true;
+    for (const auto& element : elements) {
+        if (!std::exchange(first, false)) out += ',';
+        add(element);
+    }
+    out += ']';
+}
+
 }  // namespace
 
 Json Encoder::completions(const std::vector<Completion>& items) const {
@@ -126,31 +147,6 @@ Json Encoder::signatures(const SignatureHelp& help) const {
     }
     return {{"signatures", std::move(all)}, {"activeSignature", help.signature}, {"activeParameter", help.parameter}};
 }
-
-namespace {
-
-// A string of JSON.
-void add_quoted(std::string& out, std::string_view text) {
-    const auto plain = [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; };
-    if (ranges::all_of(text, plain))
-        out.append(1, '"').append(text).append(1, '"');
-    else
-        out += text_of(Json(text));
-}
-
-// Elements with commas between them, in brackets.
-template <class Elements, class Add>
-void add_list(std::string& out, const Elements& elements, Add&& add) {
-    out += '[';
-    bool first = true;
-    for (const auto& element : elements) {
-        if (!std::exchange(first, false)) out += ',';
-        add(element);
-    }
-    out += ']';
-}
-
-}  // namespace
 
 void Encoder::add_range(std::string& out, const Span& span) const {
     const Lines& text = lines(span.file);

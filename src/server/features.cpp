@@ -166,15 +166,13 @@ void did_open(State& state, const Json& params) {
     state.workspace.scene_of(opened);
 }
 
-Place valid_place(const Json& range, const char* end) { return place_of(range.at(end)); }
-
 void did_change(State& state, const Json& params) {
     Document& document = state.document(params);
     std::vector<Change> changes;
     for (const Json& json : params.at("contentChanges")) {
         Change change{std::nullopt, string_at(json, "text"), state.halves};
         if (const auto range = json.find("range"); range != json.end() && !range->is_null())
-            change.range = Change::Range{valid_place(*range, "start"), valid_place(*range, "end")};
+            change.range = Change::Range{place_of(range->at("start")), place_of(range->at("end"))};
         changes.push_back(std::move(change));
     }
     apply(document, changes, state.encoding);
@@ -211,29 +209,6 @@ void initialized(State& state, const Json&) {
         state.ask("client/registerCapability", watched_files());
 }
 
-}  // namespace
-
-void lose(State& state, const std::optional<std::string>& uri, const std::string& why) {
-    const int lost = state.documents.lose(uri);
-    if (lost == 0) return;
-    state.workspace.rearranged();
-    const std::string name = uri ? uri->substr(uri->rfind('/') + 1) : std::to_string(lost) + " texts";
-    state.notify("window/showMessage", {{"type", 2},
-                                        {"message", "snell could not read a change of " + name + ": " + why +
-                                                        ". Save to have it read again."}});
-}
-
-void notice(State& state, const std::string& method, const Json& params) {
-    if (method == "initialized") initialized(state, params);
-    if (method == "textDocument/didOpen") did_open(state, params);
-    if (method == "textDocument/didChange") did_change(state, params);
-    if (method == "textDocument/didSave") did_save(state, params);
-    if (method == "textDocument/didClose") did_close(state, params);
-    if (method == "workspace/didChangeWatchedFiles") did_change_files(state, params);
-}
-
-namespace {
-
 std::string shortened(std::string text) {
     constexpr std::size_t most = 60;
     if (text.size() > most) text = text.substr(0, most - 3) + "...";
@@ -261,28 +236,6 @@ bool touch(const Json& a, const Json& b) {
     return !before(place_of(a.at("end")), place_of(b.at("start"))) &&
            !before(place_of(b.at("end")), place_of(a.at("start")));
 }
-
-}  // namespace
-
-Json code_actions(const Json& diagnostics, const Json& params) {
-    Json actions = Json::array();
-    if (!wants_quick_fixes(params)) return actions;
-    for (const Json& diagnostic : diagnostics) {
-        if (!diagnostic.contains("data") || !touch(diagnostic.at("range"), params.at("range"))) continue;
-        const Json& fixes = diagnostic.at("data").at("fixes");
-        Json edits = Json::object();
-        for (const Json& fix : fixes)
-            edits[string_at(fix, "uri")].push_back({{"range", fix.at("range")}, {"newText", fix.at("newText")}});
-        actions.push_back({{"title", title_of(fixes.at(0))},
-                           {"kind", "quickfix"},
-                           {"diagnostics", Json::array({diagnostic})},
-                           {"isPreferred", true},
-                           {"edit", {{"changes", std::move(edits)}}}});
-    }
-    return actions;
-}
-
-namespace {
 
 constexpr std::chrono::milliseconds most_trial_time{1500};  // for all fixes of a scene
 
@@ -320,6 +273,43 @@ bool is_good(const Diagnostic& fixed, const Diagnostics& before, const Diagnosti
 }
 
 }  // namespace
+
+void lose(State& state, const std::optional<std::string>& uri, const std::string& why) {
+    const int lost = state.documents.lose(uri);
+    if (lost == 0) return;
+    state.workspace.rearranged();
+    const std::string name = uri ? uri->substr(uri->rfind('/') + 1) : std::to_string(lost) + " texts";
+    state.notify("window/showMessage", {{"type", 2},
+                                        {"message", "snell could not read a change of " + name + ": " + why +
+                                                        ". Save to have it read again."}});
+}
+
+void notice(State& state, const std::string& method, const Json& params) {
+    if (method == "initialized") initialized(state, params);
+    if (method == "textDocument/didOpen") did_open(state, params);
+    if (method == "textDocument/didChange") did_change(state, params);
+    if (method == "textDocument/didSave") did_save(state, params);
+    if (method == "textDocument/didClose") did_close(state, params);
+    if (method == "workspace/didChangeWatchedFiles") did_change_files(state, params);
+}
+
+Json code_actions(const Json& diagnostics, const Json& params) {
+    Json actions = Json::array();
+    if (!wants_quick_fixes(params)) return actions;
+    for (const Json& diagnostic : diagnostics) {
+        if (!diagnostic.contains("data") || !touch(diagnostic.at("range"), params.at("range"))) continue;
+        const Json& fixes = diagnostic.at("data").at("fixes");
+        Json edits = Json::object();
+        for (const Json& fix : fixes)
+            edits[string_at(fix, "uri")].push_back({{"range", fix.at("range")}, {"newText", fix.at("newText")}});
+        actions.push_back({{"title", title_of(fixes.at(0))},
+                           {"kind", "quickfix"},
+                           {"diagnostics", Json::array({diagnostic})},
+                           {"isPreferred", true},
+                           {"edit", {{"changes", std::move(edits)}}}});
+    }
+    return actions;
+}
 
 void keep_good_fixes(Checked& checked, const Access& access, const std::function<Checked(const Access&)>& check) {
     const auto end = std::chrono::steady_clock::now() + most_trial_time;

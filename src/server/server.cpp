@@ -105,6 +105,15 @@ std::string method_of(const Json& message) {
     return method.is_string() ? method.get<std::string>() : "";
 }
 
+// Whether the notification may have changed a text; all may, whose method is not known.
+bool changes_texts(const std::string& method) { return method.empty() || method.starts_with("textDocument/did"); }
+
+// The text that the notification is about; nullopt: it is not known.
+std::optional<std::string> changed_uri(const State& state, const Json& uri) {
+    if (!uri.is_string() || !state.documents.all().contains(uri.get<std::string>())) return std::nullopt;
+    return uri.get<std::string>();
+}
+
 }  // namespace
 
 void Session::receive(Arrived arrived) {
@@ -129,19 +138,6 @@ void Session::step() {
     if (const auto reply = message.is_array() ? answer_all(message) : answer(message, first.cancelled))
         state_.send(*reply);
 }
-
-namespace {
-
-// Whether the notification may have changed a text; all may, whose method is not known.
-bool changes_texts(const std::string& method) { return method.empty() || method.starts_with("textDocument/did"); }
-
-// The text that the notification is about; nullopt: it is not known.
-std::optional<std::string> changed_uri(const State& state, const Json& uri) {
-    if (!uri.is_string() || !state.documents.all().contains(uri.get<std::string>())) return std::nullopt;
-    return uri.get<std::string>();
-}
-
-}  // namespace
 
 void Session::refuse(const Waiting& broken) {
     const Json& id = member(broken.message, "id");

@@ -3,10 +3,8 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"

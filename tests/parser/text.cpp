@@ -24,6 +24,22 @@ TEST(Words, AreFoundInAnyCase) {
     EXPECT_FALSE(contains("\xC3\xA9", "\xC3\x89")) << "ASCII only";
 }
 
+TEST(Words, AreOneOrMoreOfAKind) {
+    EXPECT_EQ(counted(1, "file"), "1 file");
+    EXPECT_EQ(counted(0, "file"), "0 files");
+    EXPECT_EQ(counted(2, "pass"), "2 passes");
+    static_assert(article("int") == "an" && article("uint") == "a" && article("").size() == 1);
+}
+
+TEST(Numbers, AreReadWholeOrNotAtAll) {
+    EXPECT_EQ(read_whole<int>("-12"), -12);
+    EXPECT_EQ(read_whole<double>("1e3"), 1000.);
+    for (const char* text : {"", " 1", "1 ", "+1", "1x", "0x1", "99999999999"})
+        EXPECT_FALSE(read_whole<int>(text)) << text;
+    EXPECT_FALSE(read_whole<std::size_t>("-1"));
+    EXPECT_FALSE(read_whole<double>("1e999"));
+}
+
 TEST(Sources, CountLinesAndCharacters) {
     Sources sources;
     const FileId f = sources.add("a", "one\r\ntwo\rthree\n\xC3\xA9\xE9x");

@@ -1,7 +1,6 @@
 // The numbers that changes of the kind expression-mean lack until they are drawn. Needs a current context.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
@@ -198,7 +197,40 @@ std::string polynomial_words(const Change& change) {
     return fmt::format("polynomials for {} {}", calls, functions.size() > 3 ? "calls" : names);
 }
 
+// "\n" in `text` as `line_end`; line ends that are there already stay.
+std::string with_line_ends(std::string_view text, std::string_view line_end) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool bare = text[i] == '\n' && (i == 0 || text[i - 1] != '\r');
+        if (bare)
+            result += line_end;
+        else
+            result += text[i];
+    }
+    return result;
+}
+
+Change in_one_text(Change change, const Sources& sources) {
+    for (Edit& edit : change.edits) {
+        edit.span.file = first_reading(edit.span.file, sources);
+        edit.text = with_line_ends(edit.text, line_end_of(sources.text(edit.span.file)));
+    }
+    std::stable_sort(change.edits.begin(), change.edits.end(), [](const Edit& a, const Edit& b) {
+        return std::pair(a.span.file, a.span.begin) < std::pair(b.span.file, b.span.begin);
+    });
+    change.edits.erase(std::unique(change.edits.begin(), change.edits.end()), change.edits.end());
+    return change;
+}
+
+// A text that is cut to one line, if there is any.
+std::string shown(std::string_view text) { return text.empty() ? "(nothing)" : utf8::printable(excerpt(text)); }
+
 }  // namespace
+
+std::string_view name(Aim aim) {
+    constexpr std::array<std::string_view, 3> names{"cheaper", "better", "unused"};
+    return names[static_cast<std::size_t>(aim)];
+}
 
 std::string words(const Change& change) {
     const std::string_view before = change.before, after = change.after;
@@ -252,38 +284,6 @@ std::string words(const Change& change) {
         }
     }
 }
-
-namespace {
-
-// "\n" in `text` as `line_end`; line ends that are there already stay.
-std::string with_line_ends(std::string_view text, std::string_view line_end) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool bare = text[i] == '\n' && (i == 0 || text[i - 1] != '\r');
-        if (bare)
-            result += line_end;
-        else
-            result += text[i];
-    }
-    return result;
-}
-
-Change in_one_text(Change change, const Sources& sources) {
-    for (Edit& edit : change.edits) {
-        edit.span.file = first_reading(edit.span.file, sources);
-        edit.text = with_line_ends(edit.text, line_end_of(sources.text(edit.span.file)));
-    }
-    std::stable_sort(change.edits.begin(), change.edits.end(), [](const Edit& a, const Edit& b) {
-        return std::pair(a.span.file, a.span.begin) < std::pair(b.span.file, b.span.begin);
-    });
-    change.edits.erase(std::unique(change.edits.begin(), change.edits.end()), change.edits.end());
-    return change;
-}
-
-// A text that is cut to one line, if there is any.
-std::string shown(std::string_view text) { return text.empty() ? "(nothing)" : utf8::printable(excerpt(text)); }
-
-}  // namespace
 
 FileId first_reading(FileId file, const Sources& sources) {
     for (FileId other = 0; other < file; ++other)

@@ -24,6 +24,7 @@ enum class Aim : std::uint8_t {
     better,   // what the picture lacks, and what that costs
     unused,   // something is left out, to see whether any pixel changes
 };
+std::string_view name(Aim aim);
 
 // The kinds of changes.
 enum class ChangeKind : std::uint8_t {

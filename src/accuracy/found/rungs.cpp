@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <random>
 #include <tuple>
 
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/average.h"
 #include "src/accuracy/found/change.h"
@@ -161,16 +161,15 @@ std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::s
     std::vector<std::size_t> numbers;
     for (std::size_t at = 0; at <= name.size();) {
         const std::size_t end = std::min(name.find('+', at), name.size());
-        std::size_t number = 0;
-        const auto [rest, error] = std::from_chars(name.data() + at, name.data() + end, number);
-        if (error != std::errc() || rest != name.data() + end || number < 1 || number > changes.size()) {
+        const auto number = read_whole<std::size_t>(name.substr(at, end - at));
+        if (!number || *number < 1 || *number > changes.size()) {
             wrong = fmt::format(
                 "'{}' is not the number of a found rung; they go from 1 to {}, and combinations are "
                 "written as 3+7",
                 name.substr(at, end - at), changes.size());
             return std::nullopt;
         }
-        numbers.push_back(number - 1);
+        numbers.push_back(*number - 1);
         at = end + 1;
     }
     ranges::sort(numbers);

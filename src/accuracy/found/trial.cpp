@@ -1,7 +1,6 @@
 #include "src/accuracy/found/trial.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>

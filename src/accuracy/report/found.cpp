@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/table.h"
 #include "src/plan/setup.h"
@@ -216,7 +217,7 @@ std::string standing_of(const FoundResult& found, const FoundRung& rung) {
     if (rung.outcome == Outcome::not_tried) return "not tried: " + rung.reason;
     if (rung.at.empty()) return "";
     if (!std::isfinite(rung.worst()->own.light.rmse))
-        return pixels_text(rung.worst()->own.nonfinite) + " NaN or infinite";
+        return counted(rung.worst()->own.nonfinite, "pixel") + " NaN or infinite";
     const std::string elsewhere =
         rung.only_where_tried ? "at other views and values its error is more than twice as large" : "";
     if (rung.aim == Aim::unused)
@@ -247,10 +248,10 @@ std::string found_words(const FoundResult& found) {
                       refused = count_of(found, Outcome::refused) - unknown,
                       untried = count_of(found, Outcome::not_tried);
     std::string text = fmt::format(
-        "{} change{} found; {} {} tried alone, and {} combination{}, at {} places, of which {} were held out from the "
+        "{} change{} found; {} {} tried alone, and {}, at {} places, of which {} were held out from the "
         "search (seed {}).",
         found.changes.size(), found.changes.size() == 1 ? " was" : "s were", tried, tried == 1 ? "was" : "were",
-        combined, combined == 1 ? "" : "s", found.places.size(),
+        counted(combined, "combination"), found.places.size(),
         found.places.size() - std::min(found.searched, found.places.size()), found.seed);
     if (refused > 0)
         text += fmt::format(" {} would not compile, make another error or warning, or leave out what --set gives.",
@@ -278,9 +279,7 @@ std::string found_words(const FoundResult& found) {
 SweepResult as_sweep(const FoundResult& found, Aim aim) {
     SweepResult sweep = aim == Aim::cheaper ? found.timed : found.costs;
     sweep.scene = found.scene;
-    sweep.sweep.name = fmt::format("found: {}", aim == Aim::cheaper  ? "cheaper"
-                                                : aim == Aim::better ? "better"
-                                                                     : "unused");
+    sweep.sweep.name = fmt::format("found: {}", name(aim));
     sweep.rungs.clear();
     sweep.costs = {};
     for (const FoundRung& rung : found.rungs) {
@@ -353,10 +352,9 @@ FoundJson difference_json(const Difference& difference) {
 }
 
 FoundJson found_rung_json(const FoundResult& found, const FoundRung& rung) {
-    constexpr std::array<std::string_view, 3> aims{"cheaper", "better", "unused"},
-        outcomes{"tried", "refused", "not tried"};
+    constexpr std::array<std::string_view, 3> outcomes{"tried", "refused", "not tried"};
     FoundJson json{{"rung", rung.name},
-                   {"aim", aims[static_cast<std::size_t>(rung.aim)]},
+                   {"aim", name(rung.aim)},
                    {"outcome", outcomes[static_cast<std::size_t>(rung.outcome)]},
                    {"standing", standing_of(found, rung)}};
     json["changes"] = FoundJson::array();

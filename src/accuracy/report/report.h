@@ -4,7 +4,6 @@
 #include <cmath>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -66,8 +65,6 @@ std::string notes_text(const SweepResult& sweep, const RungResult& rung);
 bool unmeasured(const SweepResult& sweep);
 // Which pixels its errors are of.
 std::string area_text(const SweepResult& sweep);
-// "1 pixel", "2 pixels".
-std::string pixels_text(std::size_t count);
 // A number in a format such as "{:.2g}"; "?" if it is unknown (NaN).
 std::string known_text(std::string_view format, double value);
 // Decibels, or what there is instead: "equal", "not finite", "?".

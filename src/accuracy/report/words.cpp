@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 
@@ -107,8 +108,8 @@ std::string residual_text(const SweepResult& sweep, const Wish& wish) {
 
 std::string time_text(const RungResult& rung) {
     if (!std::isfinite(rung.high))
-        return fmt::format("{:.3g} ms (from {} round{}, too few for an interval)", rung.milliseconds, rung.rounds,
-                           rung.rounds == 1 ? "" : "s");
+        return fmt::format("{:.3g} ms (from {}, too few for an interval)", rung.milliseconds,
+                           counted(static_cast<std::size_t>(rung.rounds), "round"));
     return fmt::format("{:.3g} ms [{:.3g}, {:.3g}]", rung.milliseconds, rung.low, rung.high);
 }
 
@@ -137,11 +138,9 @@ std::string standing_text(const SweepResult& sweep, const RungResult& rung) {
 bool unmeasured(const SweepResult& sweep) { return ranges::none_of(sweep.rungs, &RungResult::drawn); }
 
 std::string area_text(const SweepResult& sweep) {
-    return sweep.own_pixels > 0 ? fmt::format("over the {} that its draws cover", pixels_text(sweep.own_pixels))
+    return sweep.own_pixels > 0 ? fmt::format("over the {} that its draws cover", counted(sweep.own_pixels, "pixel"))
                                 : "over the whole picture";
 }
-
-std::string pixels_text(std::size_t count) { return fmt::format("{} pixel{}", count, count == 1 ? "" : "s"); }
 
 std::string known_text(std::string_view format, double value) {
     return std::isnan(value) ? "?" : fmt::vformat(format, fmt::make_format_args(value));
@@ -159,7 +158,7 @@ std::string notes_text(const SweepResult& sweep, const RungResult& rung) {
     if (rung.below_residual && sweep.metric == Metric::rmse) notes.emplace_back("not told apart from the reference");
     if (rung.saturated) notes.emplace_back("decorrelated");
     if (rung.cliff) notes.emplace_back("cliff");
-    if (rung.own.nonfinite > 0) notes.push_back(pixels_text(rung.own.nonfinite) + " NaN or infinite");
+    if (rung.own.nonfinite > 0) notes.push_back(counted(rung.own.nonfinite, "pixel") + " NaN or infinite");
     if (rung.hidden())
         notes.push_back(fmt::format("alone RMSE {:.2g} here, {:.2g} {}", rung.alone.rmse, rung.elsewhere->rmse,
                                     sweep.sweep.elsewhere));
@@ -234,6 +233,31 @@ std::string hidden_sentences(const SweepResult& sweep) {
     return text;
 }
 
+struct RungRow {
+    const SweepResult* sweep;
+    const RungResult* rung;
+
+    bool timed() const { return rung->drawn && rung->rounds > 0; }
+};
+
+using content::CellKind;
+constexpr content::TableColumn<RungRow> rung_columns[]{
+    {"rung", CellKind::words, [](const RungRow& r) { return r.rung->name; }},
+    {"ms", CellKind::number,
+     [](const RungRow& r) { return r.timed() ? fmt::format("{:.3g}", r.rung->milliseconds) : ""; }},
+    {"relative to current", CellKind::number,
+     [](const RungRow& r) { return r.timed() ? ratio_text(r.rung->ratio) : ""; }},
+    {"RMSE", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->own.light.rmse); }},
+    {"PSNR, dB", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.light.psnr); }},
+    {"PSNR of display", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.display.psnr); }},
+    {"PSNR of all", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->whole.light.psnr); }},
+    {"RMSE alone", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->alone.rmse); }},
+    {"FLIP", CellKind::number, [](const RungRow& r) { return known_text("{:.3f}", r.rung->flip); }},
+    {"degrees", CellKind::number,
+     [](const RungRow& r) { return r.rung->degrees ? known_text("{:.3g}", r.rung->degrees->mean) : ""; }},
+    {"remarks", CellKind::words, [](const RungRow& r) { return notes_text(*r.sweep, *r.rung); }},
+};
+
 }  // namespace
 
 std::vector<const SweepResult*> plots_of(const Report& report) {
@@ -276,39 +300,6 @@ std::string header_text(const Report& report) {
                               0) +
            content::paragraph(fmt::format("{} Other ladders are as in the {}.", errors_are, w.others()), 0);
 }
-
-namespace {
-
-struct RungRow {
-    const SweepResult* sweep;
-    const RungResult* rung;
-
-    bool timed() const { return rung->drawn && rung->rounds > 0; }
-    std::string number(std::string_view format, double value) const {
-        return rung->drawn ? known_text(format, value) : "";
-    }
-    std::string decibels(double psnr) const { return rung->drawn ? psnr_text(psnr) : ""; }
-};
-
-using content::CellKind;
-constexpr content::TableColumn<RungRow> rung_columns[]{
-    {"rung", CellKind::words, [](const RungRow& r) { return r.rung->name; }},
-    {"ms", CellKind::number,
-     [](const RungRow& r) { return r.timed() ? fmt::format("{:.3g}", r.rung->milliseconds) : ""; }},
-    {"relative to current", CellKind::number,
-     [](const RungRow& r) { return r.timed() ? ratio_text(r.rung->ratio) : ""; }},
-    {"RMSE", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->own.light.rmse); }},
-    {"PSNR, dB", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.light.psnr); }},
-    {"PSNR of display", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->own.display.psnr); }},
-    {"PSNR of all", CellKind::number, [](const RungRow& r) { return psnr_text(r.rung->whole.light.psnr); }},
-    {"RMSE alone", CellKind::number, [](const RungRow& r) { return known_text("{:.2g}", r.rung->alone.rmse); }},
-    {"FLIP", CellKind::number, [](const RungRow& r) { return known_text("{:.3f}", r.rung->flip); }},
-    {"degrees", CellKind::number,
-     [](const RungRow& r) { return r.rung->degrees ? known_text("{:.3g}", r.rung->degrees->mean) : ""; }},
-    {"remarks", CellKind::words, [](const RungRow& r) { return notes_text(*r.sweep, *r.rung); }},
-};
-
-}  // namespace
 
 content::Table rung_table(const SweepResult& sweep) {
     std::vector<RungRow> rows;

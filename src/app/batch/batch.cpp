@@ -55,6 +55,16 @@ bool is_there(const std::string& file, const Limits& most) {
 
 std::string assignment(const Axis& axis, const AxisValue& value) { return axis.name + "=" + value.written; }
 
+using Json = nlohmann::ordered_json;
+
+Json value_json(const AxisValue& value) { return value.number ? Json(*value.number) : Json(value.written); }
+
+Json axis_json(const Axis& axis) {
+    Json values = Json::array();
+    for (const AxisValue& value : axis.values) values.push_back(value_json(value));
+    return {{"name", axis.name}, {"values", std::move(values)}};
+}
+
 }  // namespace
 
 Batch::Batch(const RenderOptions& options, const Shots& shots, Shard shard)
@@ -379,20 +389,6 @@ void Batch::say(const Diagnostics& diagnostics, const Sources& sources, const st
         if (said_.insert(text).second) std::fwrite(text.data(), 1, text.size(), stderr);
     }
 }
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value_json(const AxisValue& value) { return value.number ? Json(*value.number) : Json(value.written); }
-
-Json axis_json(const Axis& axis) {
-    Json values = Json::array();
-    for (const AxisValue& value : axis.values) values.push_back(value_json(value));
-    return {{"name", axis.name}, {"values", std::move(values)}};
-}
-
-}  // namespace
 
 bool write_json(const std::string& path, const Json& json) {
     return write_output(path, content::json_text(json) + '\n');

@@ -10,19 +10,13 @@
 #include <fmt/format.h>
 
 #include "parser/text/diagnostic.h"
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell::app {
 
 namespace {
-
-std::optional<std::size_t> whole(std::string_view text) {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 // Each of these returns "" or the error.
 std::string check_distinct(const Shots& shots) {
@@ -94,7 +88,8 @@ std::string numbered(const std::string& pattern) {
 std::optional<Shard> parse_shard(std::string_view text) {
     const std::size_t slash = text.find('/');
     if (slash == std::string_view::npos) return std::nullopt;
-    const auto index = whole(text.substr(0, slash)), count = whole(text.substr(slash + 1));
+    const auto index = read_whole<std::size_t>(text.substr(0, slash)),
+               count = read_whole<std::size_t>(text.substr(slash + 1));
     if (!index || !count || *index >= *count) return std::nullopt;
     return Shard{*index, *count};
 }
@@ -242,39 +237,6 @@ std::string fill_list(Axis& axis, std::string_view text) {
     return {};
 }
 
-}  // namespace
-
-std::string AxisValue::shown() const {
-    if (number) return fmt::format("{}", *number);
-    if (written.size() > 1 && written.front() == '[' && written.back() == ']')
-        return written.substr(1, written.size() - 2);
-    return written;
-}
-
-std::optional<Axis> parse_axis(std::string_view text, std::string& error) {
-    const std::size_t equals = text.find('=');
-    Axis axis;
-    axis.name = trimmed(text.substr(0, equals));
-    if (equals == std::string_view::npos || axis.name.empty()) {
-        error = fmt::format("'{}' varies nothing: write NAME=FIRST:LAST:COUNT or NAME=A,B,C", text);
-        return std::nullopt;
-    }
-    const std::string_view values = trimmed(text.substr(equals + 1));
-    const std::string problem =
-        values.find(':') == std::string_view::npos ? fill_list(axis, values) : fill_range(axis, values);
-    if (problem.empty()) return axis;
-    error = fmt::format("{}: {}", axis.name, problem);
-    return std::nullopt;
-}
-
-Axis frames_axis(std::size_t count) {
-    Axis axis{"frame", {}, true};
-    for (std::size_t k = 0; k < count; ++k) axis.values.push_back({std::to_string(k), static_cast<double>(k)});
-    return axis;
-}
-
-namespace {
-
 std::string unknown_name(std::string_view name, const std::vector<std::string>& names) {
     const std::string_view near = nearest(name, {names.begin(), names.end()});
     return near.empty() ? fmt::format("there is no {{{}}}: there are {{{}}}", name, fmt::join(names, "}, {"))
@@ -306,6 +268,35 @@ std::optional<std::string> formatted(const std::string& format, const AxisValue&
 }
 
 }  // namespace
+
+std::string AxisValue::shown() const {
+    if (number) return fmt::format("{}", *number);
+    if (written.size() > 1 && written.front() == '[' && written.back() == ']')
+        return written.substr(1, written.size() - 2);
+    return written;
+}
+
+std::optional<Axis> parse_axis(std::string_view text, std::string& error) {
+    const std::size_t equals = text.find('=');
+    Axis axis;
+    axis.name = trimmed(text.substr(0, equals));
+    if (equals == std::string_view::npos || axis.name.empty()) {
+        error = fmt::format("'{}' varies nothing: write NAME=FIRST:LAST:COUNT or NAME=A,B,C", text);
+        return std::nullopt;
+    }
+    const std::string_view values = trimmed(text.substr(equals + 1));
+    const std::string problem =
+        values.find(':') == std::string_view::npos ? fill_list(axis, values) : fill_range(axis, values);
+    if (problem.empty()) return axis;
+    error = fmt::format("{}: {}", axis.name, problem);
+    return std::nullopt;
+}
+
+Axis frames_axis(std::size_t count) {
+    Axis axis{"frame", {}, true};
+    for (std::size_t k = 0; k < count; ++k) axis.values.push_back({std::to_string(k), static_cast<double>(k)});
+    return axis;
+}
 
 std::optional<Pattern> Pattern::parse(std::string_view text, const std::vector<std::string>& names,
                                       std::string& error) {

@@ -132,45 +132,6 @@ Exit check(const CheckOptions& options) {
     return errors ? exit_input : exit_fine;
 }
 
-}  // namespace
-
-std::unique_ptr<Document> checked_document(const std::string& path, const gl::Caps& caps, bool wants_lint,
-                                           double seconds, const RuntimeOptions& options, const Access& access) {
-    bool risk = false;
-    const auto read = [&](const Plan& plan, Document& of) {
-        lint(plan, of);
-        risk = may_give_nan(plan, of.sources);
-    };
-    auto document = open_document(path, caps, nullptr, wants_lint ? PlanReader(read) : nullptr, options, access);
-    if (wants_lint) add_idle_sliders(*document, seconds > 0 ? seconds / 10 : 1e6);
-    if (risk) warn_of_nan(*document);
-    check_unsampled(*document);  // sorts
-    return document;
-}
-
-Run add_check(CLI::App& command) {
-    auto options = std::make_shared<CheckOptions>();
-    command.add_option("SCENE", options->scenes)->required();
-    add_access(command, options->access);
-    add_grade(command, options->grade);
-    add_timeout(command, options->timeout, "each scene");
-    add_json(command, options->json, "print JSON");
-    command
-        .add_flag("--sarif{/dev/stdout}", options->sarif, "print SARIF 2.1.0, for CI services; --sarif=FILE writes it")
-        ->check(check_file_name);
-    command.add_flag("--lines", options->lines,
-                     "print one line for each message, without excerpts: for problem matchers");
-    command.add_flag("--werror", options->warnings_fail, "status 1 for warnings, too");
-    command.add_flag("!--no-lint", options->lint, "omit what is allowed but probably not intended");
-    command.add_option("--dump", options->dump, "print one stage of the reading")
-        ->check(CLI::IsMember({"tokens", "statements", "scene", "plan"}));
-    return [options] { return check(*options); };
-}
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
 Json span_json(const Span& span, const Sources& sources) {
     const Position begin = sources.position(span.file, span.begin);
     const Position end = sources.position(span.file, span.end);
@@ -205,6 +166,39 @@ Json place(const Span& span, const Sources& sources) {
 }
 
 }  // namespace
+
+std::unique_ptr<Document> checked_document(const std::string& path, const gl::Caps& caps, bool wants_lint,
+                                           double seconds, const RuntimeOptions& options, const Access& access) {
+    bool risk = false;
+    const auto read = [&](const Plan& plan, Document& of) {
+        lint(plan, of);
+        risk = may_give_nan(plan, of.sources);
+    };
+    auto document = open_document(path, caps, nullptr, wants_lint ? PlanReader(read) : nullptr, options, access);
+    if (wants_lint) add_idle_sliders(*document, seconds > 0 ? seconds / 10 : 1e6);
+    if (risk) warn_of_nan(*document);
+    check_unsampled(*document);  // sorts
+    return document;
+}
+
+Run add_check(CLI::App& command) {
+    auto options = std::make_shared<CheckOptions>();
+    command.add_option("SCENE", options->scenes)->required();
+    add_access(command, options->access);
+    add_grade(command, options->grade);
+    add_timeout(command, options->timeout, "each scene");
+    add_json(command, options->json, "print JSON");
+    command
+        .add_flag("--sarif{/dev/stdout}", options->sarif, "print SARIF 2.1.0, for CI services; --sarif=FILE writes it")
+        ->check(check_file_name);
+    command.add_flag("--lines", options->lines,
+                     "print one line for each message, without excerpts: for problem matchers");
+    command.add_flag("--werror", options->warnings_fail, "status 1 for warnings, too");
+    command.add_flag("!--no-lint", options->lint, "omit what is allowed but probably not intended");
+    command.add_option("--dump", options->dump, "print one stage of the reading")
+        ->check(CLI::IsMember({"tokens", "statements", "scene", "plan"}));
+    return [options] { return check(*options); };
+}
 
 Json checked_json(const std::string& scene, const Document& document) {
     Json json{{"schema", 1},

@@ -48,15 +48,10 @@ struct CompareOptions {
 
 // A difference of displayed values, such as ".03" or "8/255".
 std::optional<double> parse_threshold(std::string_view text) {
-    const auto number = [](std::string_view part) {
-        double value = 0;
-        const auto [end, error] = read_real(part.data(), part.data() + part.size(), value);
-        const bool whole = error == std::errc() && end == part.data() + part.size();
-        return whole ? value : std::numeric_limits<double>::quiet_NaN();
-    };
     const std::size_t slash = text.find('/');
-    const double value = number(text.substr(0, slash)) / (slash == text.npos ? 1 : number(text.substr(slash + 1)));
-    return value >= 0 && value <= 1 ? std::optional(value) : std::nullopt;
+    const auto step = read_whole<double>(text.substr(0, slash));
+    const auto of = slash == text.npos ? 1 : read_whole<double>(text.substr(slash + 1));
+    return step && of && *step / *of >= 0 && *step / *of <= 1 ? std::optional(*step / *of) : std::nullopt;
 }
 
 // Reads pictures and draws scenes; the context is made for the first scene.
@@ -221,9 +216,7 @@ void print_compared(const Compared& c, const CompareOptions& options, std::FILE*
         fmt::print(out, "  largest   {:.6g} of displayed values at {},{} from the top left\n", d.largest, d.x, d.y);
     fmt::print(out, "  FLIP      {:.6g}\n", d.flip);
     fmt::print(out, "  pixels    {:.4g} % differ by more than {:.4g}\n", 100 * d.share, options.threshold);
-    if (d.error.nonfinite > 0)
-        fmt::print(out, "  NaN       in {} pixel{}, or infinite\n", d.error.nonfinite,
-                   d.error.nonfinite > 1 ? "s" : "");
+    if (d.error.nonfinite > 0) fmt::print(out, "  NaN       in {}, or infinite\n", counted(d.error.nonfinite, "pixel"));
     fmt::print(out, "  coverage  {:.4g} % and {:.4g} %\n", 100 * d.cover[0], 100 * d.cover[1]);
 }
 
@@ -316,9 +309,8 @@ Exit usable(const CompareOptions& options) {
         return complain(exit_usage,
                         "a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
     }
-    if (options.output == "/dev/stdout" && options.json == options.output) {
+    if (options.output == "/dev/stdout" && options.json == options.output)
         return complain(exit_usage, "the map and the figures would both be written to standard output");
-    }
     return exit_fine;
 }
 

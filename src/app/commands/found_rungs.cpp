@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -73,10 +70,6 @@ std::unique_ptr<Found> find_in(const std::string& path, const AccuracyOptions& o
     return found;
 }
 
-std::string_view aim_name(Aim aim) {
-    return aim == Aim::cheaper ? "cheaper" : aim == Aim::better ? "better" : "unused";
-}
-
 std::string list_text(const Found& found) {
     if (found.changes.empty()) return "snell finds nothing to change in this scene\n";
     std::string text;
@@ -94,7 +87,7 @@ std::string list_json(const std::string& scene, const Found& found) {
         const KindFacts& kind = facts(change.kind);
         json["found"].push_back({{"number", i + 1},
                                  {"kind", kind.name},
-                                 {"aim", aim_name(kind.aim)},
+                                 {"aim", name(kind.aim)},
                                  {"file", found.sources.name(change.where.file)},
                                  {"line", at.line},
                                  {"column", at.column},
@@ -142,8 +135,7 @@ Exit write_texts(const AccuracyOptions& options, Found& found) {
         write_copy(options.scenes.front(), options.access, changed_texts(changes, found.sources), options.html);
     if (!copy.error.empty()) return complain(exit_input, copy.error);
     for (const Change* change : changes) fmt::print("{}\n", change_line(*change, found.sources));
-    fmt::print("wrote {} ({} file{})\n", utf8::printable(copy.scene), copy.files.size(),
-               copy.files.size() == 1 ? "" : "s");
+    fmt::print("wrote {} ({})\n", utf8::printable(copy.scene), counted(copy.files.size(), "file"));
     return exit_fine;
 }
 

@@ -394,7 +394,6 @@ Exit run_grade(const GradeCommand& command) {
     if (!options.quiet) print_grades(grades);
     std::size_t kept = 0;
     for (const GradedSubmission& graded : grades.all) kept += graded.kept;
-    const std::string count = fmt::format("{} submission{}", grades.all.size(), grades.all.size() == 1 ? "" : "s");
     const std::vector<Alike> alike = alike_submissions(grades);
     const std::string wrong = write_report(grades, alike, options.output);
     if (!wrong.empty()) return complain(exit_input, "cannot write " + wrong);
@@ -402,7 +401,8 @@ Exit run_grade(const GradeCommand& command) {
         if (alike[i].who.size() > 2)
             fmt::print(stderr, "snell: note: {}: similar/{}.html\n", alike_words(grades, alike[i]), i + 1);
     fmt::print("{}: {}, {} of them judged before\n",
-               utf8::printable((std::filesystem::path(options.output) / "index.html").string()), count, kept);
+               utf8::printable((std::filesystem::path(options.output) / "index.html").string()),
+               counted(grades.all.size(), "submission"), kept);
     return exit_fine;
 }
 

@@ -1,6 +1,5 @@
 #include "src/app/create/create.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <system_error>

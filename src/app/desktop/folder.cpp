@@ -47,6 +47,9 @@ std::string_view number(std::string_view text, std::size_t& at) {
     return text.substr(begin, at - begin);
 }
 
+constexpr int most_pixels = 160;                // on a side
+constexpr std::uintmax_t most_bytes = 1 << 20;  // of a file: far more than such a picture has
+
 }  // namespace
 
 bool before(std::string_view a, std::string_view b) {
@@ -141,15 +144,6 @@ std::string only_scene(const std::string& path) {
     if (listing.entries.end() - scene != 1) return path;
     return (fs::path(path) / fs::path(scene->path).filename()).string();
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int most_pixels = 160;                // on a side
-constexpr std::uintmax_t most_bytes = 1 << 20;  // of a file: far more than such a picture has
-
-}  // namespace
 
 std::string thumbnails_folder() {
     const char* cache = std::getenv("XDG_CACHE_HOME");

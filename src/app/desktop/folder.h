@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "src/content/image/image.h"
 #include "src/ui/panels/browser.h"

@@ -1,6 +1,5 @@
 #include "src/app/desktop/scene_pictures.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>

@@ -21,6 +21,18 @@ std::uint64_t hash_of_names(const std::string& folder) {
     return sum;
 }
 
+std::filesystem::file_time_type written(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::last_write_time(path, error);
+}
+
+// Editors keep the mark of UTF-8 to themselves.
+bool says(const std::string& path, std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    const std::string bytes = content::whole_file(path);
+    return bytes == text || (bytes.starts_with(mark) && std::string_view(bytes).substr(mark.size()) == text);
+}
+
 }  // namespace
 
 Watch::Stamp Watch::look(Entry& entry) {
@@ -66,22 +78,6 @@ bool Watch::changed(bool at_once) {
     for (Entry& entry : entries_) entry.known = entry.last;
     return true;
 }
-
-namespace {
-
-std::filesystem::file_time_type written(const std::string& path) {
-    std::error_code error;
-    return std::filesystem::last_write_time(path, error);
-}
-
-// Editors keep the mark of UTF-8 to themselves.
-bool says(const std::string& path, std::string_view text) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    const std::string bytes = content::whole_file(path);
-    return bytes == text || (bytes.starts_with(mark) && std::string_view(bytes).substr(mark.size()) == text);
-}
-
-}  // namespace
 
 GivenTexts::GivenTexts(const Access& access) {
     if (!access.instead) return;

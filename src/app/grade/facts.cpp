@@ -4,7 +4,6 @@
 
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
-#include "parser/text/article.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/lint/lint.h"
@@ -26,7 +25,7 @@ Judged shared_points(const RubricItem& item, std::size_t wrong, std::size_t of, 
 Judged judge_errors(const RubricItem& item, const Document& document) {
     const std::size_t errors = document.diagnostics.errors();
     if (errors == 0) return {item.points, true, "there are no errors"};
-    return {0, false, fmt::format("there {} {} error{}", errors == 1 ? "is" : "are", errors, errors == 1 ? "" : "s")};
+    return {0, false, fmt::format("there {} {}", errors == 1 ? "is" : "are", counted(errors, "error"))};
 }
 
 Judged judge_lints(const RubricItem& item, const Document& document) {
@@ -115,6 +114,16 @@ Judged judge_commands(const RubricItem& item, const UsedCommands& commands) {
     return shared_points(item, needed ? wrong.size() : of, of, wrong.empty() ? right : wrong);
 }
 
+bool tries_every_value(const snell::Control& slider) {
+    return slider.type == ValueType::bool_ || slider.type == ValueType::int_ || slider.type == ValueType::uint_;
+}
+
+std::string tried_values(const snell::Control& slider) {
+    if (slider.type == ValueType::bool_) return "for false and true";
+    return fmt::format("for {} from {} to {}", tries_every_value(slider) ? "every value" : "all tried values",
+                       slider.min, slider.max);
+}
+
 }  // namespace
 
 UsedCommands used_commands(const std::string& scene, const Access& access) {
@@ -197,20 +206,6 @@ std::string with_aliases(const std::string& assignment, const Rubric& rubric, co
         own = name.substr(0, behind) + own_name(name.substr(behind), rubric, document);
     return own + assignment.substr(equals);
 }
-
-namespace {
-
-bool tries_every_value(const snell::Control& slider) {
-    return slider.type == ValueType::bool_ || slider.type == ValueType::int_ || slider.type == ValueType::uint_;
-}
-
-std::string tried_values(const snell::Control& slider) {
-    if (slider.type == ValueType::bool_) return "for false and true";
-    return fmt::format("for {} from {} to {}", tries_every_value(slider) ? "every value" : "all tried values",
-                       slider.min, slider.max);
-}
-
-}  // namespace
 
 void add_idle_sliders(Document& document, double seconds) {
     if (!document.runtime || document.diagnostics.has_errors() || lint::may_not_end(document.diagnostics)) return;

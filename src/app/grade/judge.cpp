@@ -294,8 +294,8 @@ private:
         if (!rgba.empty()) infinite_[index] = count_flags(rgba)[Flag::infinite];
         if (!undefined.empty())
             wrong_[index] =
-                fmt::format("{} pixel{} of {} {} NaN, whose colour is undefined", undefined.size(),
-                            undefined.size() == 1 ? "" : "s", shown_as(shown), undefined.size() == 1 ? "is" : "are");
+                fmt::format("{} of {} {} NaN, whose colour is undefined", counted(undefined.size(), "pixel"),
+                            shown_as(shown), undefined.size() == 1 ? "is" : "are");
         for (const std::size_t i : undefined) covered[i] = 0;
         seen_ += accuracy::count(covered);
         if (accuracy::count(covered) < covered.size()) {
@@ -566,7 +566,6 @@ Exit judge(const ToJudge& work) { return Judging(work).run(); }
 
 namespace {
 
-using accuracy::Picture;
 using accuracy::PictureDifference;
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }

@@ -36,6 +36,19 @@ void settle_in() {
     setenv("LP_NUM_THREADS", "0", 0);
 }
 
+// The first line of what it printed about itself.
+std::string said(const EndedProcess& ended) {
+    const std::size_t at = ended.output.find("snell: error: ");
+    if (at == std::string::npos) return {};
+    const std::string_view line = std::string_view(ended.output).substr(at + 14);
+    return fmt::format(": {}", utf8::printable(line.substr(0, line.find('\n'))));
+}
+
+// What a submission prints may contain the mark, too: only a process that ends for want of memory has this status.
+bool out_of_memory(const EndedProcess& ended) {
+    return ended.status == exit_input && ended.output.find("[out-of-memory]") != std::string::npos;
+}
+
 }  // namespace
 
 void run_apart(std::size_t count, const Apart& how, const std::function<int(std::size_t)>& work,
@@ -70,23 +83,6 @@ void run_apart(std::size_t count, const Apart& how, const std::function<int(std:
         if (!running.empty()) usleep(2000);
     }
 }
-
-namespace {
-
-// The first line of what it printed about itself.
-std::string said(const EndedProcess& ended) {
-    const std::size_t at = ended.output.find("snell: error: ");
-    if (at == std::string::npos) return {};
-    const std::string_view line = std::string_view(ended.output).substr(at + 14);
-    return fmt::format(": {}", utf8::printable(line.substr(0, line.find('\n'))));
-}
-
-// What a submission prints may contain the mark, too: only a process that ends for want of memory has this status.
-bool out_of_memory(const EndedProcess& ended) {
-    return ended.status == exit_input && ended.output.find("[out-of-memory]") != std::string::npos;
-}
-
-}  // namespace
 
 std::string why_ended(const EndedProcess& ended, double timeout, double gigabytes) {
     if (ended.too_long || ended.status == exit_timeout)

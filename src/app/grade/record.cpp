@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
+#include "parser/text/number.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
 #include "src/content/text_forms.h"
@@ -23,68 +23,44 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// A compact list, because there are thousands: the hash as text, which JSON's numbers could not hold.
-Json prints_json(const std::vector<Print>& prints) {
-    Json list = Json::array();
-    for (const Print& print : prints)
-        list.push_back(Json::array({std::to_string(print.hash), print.text, print.first, print.last}));
-    return list;
-}
-
-Print read_print(const Json& json) {
-    Print print{0, json.at(1), json.at(2), json.at(3)};
-    const auto& text = json.at(0).get_ref<const std::string&>();
-    std::from_chars(text.data(), text.data() + text.size(), print.hash);
-    return print;
-}
-
-Json record_json(const Record& record) {
-    Json json{{"schema", 1},
-              {"key", record.key},
-              {"submission", record.submission},
-              {"scene", record.scene},
-              {"problem", record.problem},
-              {"notes", record.notes},
-              {"messages", record.messages},
-              {"errors", record.errors},
-              {"warnings", record.warnings},
-              {"milliseconds", record.milliseconds},
-              {"items", Json::array()},
-              {"drawn", record.drawn},
-              {"covered", record.covered},
-              {"shaped", record.shaped},
-              {"maps", record.maps},
-              {"prints", prints_json(record.prints)},
-              {"texts", Json::array()}};
-    for (const Judged& item : record.items)
-        json["items"].push_back({{"points", item.points}, {"passed", item.passed}, {"why", item.why}});
-    for (const SourceText& text : record.texts) json["texts"].push_back({{"name", text.name}, {"text", text.text}});
-    return json;
-}
-
-Record from_json(const Json& json) {
-    Record record;
-    record.key = json.at("key");
-    record.submission = json.at("submission");
-    record.scene = json.at("scene");
-    record.problem = json.at("problem");
-    record.notes = json.at("notes").get<std::vector<std::string>>();
-    record.messages = json.at("messages");
-    record.errors = json.at("errors");
-    record.warnings = json.at("warnings");
-    record.milliseconds = json.at("milliseconds");
-    record.drawn = json.at("drawn").get<std::vector<std::string>>();
-    record.covered = json.at("covered").get<std::vector<double>>();
-    record.shaped = json.at("shaped").get<std::vector<double>>();
-    record.maps = json.at("maps").get<std::vector<std::string>>();
-    for (const Json& item : json.at("items"))
-        record.items.push_back({item.at("points"), item.at("passed"), item.at("why")});
-    for (const Json& print : json.at("prints")) record.prints.push_back(read_print(print));
-    for (const Json& text : json.at("texts")) record.texts.push_back({text.at("name"), text.at("text")});
-    return record;
+// Calls `each` with the name and the value of every field, in the order of the file.
+void each_field(auto& record, const auto& each) {
+    each("key", record.key);
+    each("submission", record.submission);
+    each("scene", record.scene);
+    each("problem", record.problem);
+    each("notes", record.notes);
+    each("messages", record.messages);
+    each("errors", record.errors);
+    each("warnings", record.warnings);
+    each("milliseconds", record.milliseconds);
+    each("items", record.items);
+    each("drawn", record.drawn);
+    each("covered", record.covered);
+    each("shaped", record.shaped);
+    each("maps", record.maps);
+    each("prints", record.prints);
+    each("texts", record.texts);
 }
 
 }  // namespace
+
+void to_json(Json& json, const Judged& item) {
+    json = {{"points", item.points}, {"passed", item.passed}, {"why", item.why}};
+}
+void from_json(const Json& json, Judged& item) { item = {json.at("points"), json.at("passed"), json.at("why")}; }
+
+void to_json(Json& json, const SourceText& text) { json = {{"name", text.name}, {"text", text.text}}; }
+void from_json(const Json& json, SourceText& text) { text = {json.at("name"), json.at("text")}; }
+
+// A compact list, because there are thousands: the hash as text, which JSON's numbers could not hold.
+void to_json(Json& json, const Print& print) {
+    json = Json::array({std::to_string(print.hash), print.text, print.first, print.last});
+}
+void from_json(const Json& json, Print& print) {
+    const auto& hash = json.at(0).get_ref<const std::string&>();
+    print = {read_whole<std::uint64_t>(hash).value_or(0), json.at(1), json.at(2), json.at(3)};
+}
 
 double Record::points() const {
     double sum = 0;
@@ -106,14 +82,18 @@ Record unjudged(const Rubric& rubric, const std::string& why) {
 std::string record_file(const std::string& folder) { return (fs::path(folder) / "result.json").string(); }
 
 std::string write_record(const std::string& folder, const Record& record) {
-    return content::replace_file(record_file(folder), content::json_text(record_json(record)) + '\n');
+    Json json{{"schema", 1}};
+    each_field(record, [&json](const char* name, const auto& value) { json[name] = value; });
+    return content::replace_file(record_file(folder), content::json_text(json) + '\n');
 }
 
 Record read_record(const std::string& folder, const Rubric& rubric) {
     std::error_code error;
     if (!fs::is_regular_file(record_file(folder), error)) return {};
     try {
-        Record record = from_json(content::parse_json(content::whole_file(record_file(folder))));
+        const Json json = content::parse_json(content::whole_file(record_file(folder)));
+        Record record;
+        each_field(record, [&json](const char* name, auto& value) { json.at(name).get_to(value); });
         const bool fits = record.items.size() == rubric.items.size() && record.drawn.size() == rubric.pictures.size() &&
                           record.covered.size() == record.drawn.size() && record.shaped.size() == record.drawn.size() &&
                           record.maps.size() == rubric.maps;

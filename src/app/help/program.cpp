@@ -117,28 +117,11 @@ void add_color(CLI::App& command, std::string& color) {
         ->check(CLI::IsMember({"auto", "always", "never"}));
 }
 
-}  // namespace
-
-std::span<const Subcommand> subcommands() { return table; }
-
-std::vector<std::string_view> subcommand_names() {
-    std::vector<std::string_view> names;
-    for (const Subcommand& row : table)
-        if (!row.hidden) names.emplace_back(row.name);
-    return names;
-}
-
-namespace {
-
 // Options cost time at every start, and only those of the subcommand that runs, or is explained, matter.
 bool matters(const Subcommand& row, std::string_view first) {
     if (first == row.name || first == "help") return true;
     return first != "--version" && ranges::find(table, first, &Subcommand::name) == table.end();
 }
-
-}  // namespace
-
-namespace {
 
 // `--json` of these has always taken the next word.
 bool json_is_file(std::string_view subcommand) {
@@ -158,6 +141,15 @@ bool names_output(std::string_view option) {
 }
 
 }  // namespace
+
+std::span<const Subcommand> subcommands() { return table; }
+
+std::vector<std::string_view> subcommand_names() {
+    std::vector<std::string_view> names;
+    for (const Subcommand& row : table)
+        if (!row.hidden) names.emplace_back(row.name);
+    return names;
+}
 
 std::string_view first_word(int count, const char* const* words) {
     int at = 1;

@@ -102,6 +102,13 @@ void ended_by_driver(int signal) {
     raise(signal);
 }
 
+std::atomic<bool> interrupted = false;
+
+void on_interrupt(int) {
+    interrupted = true;
+    std::signal(SIGINT, SIG_DFL);
+}
+
 }  // namespace
 
 bool short_of_memory(std::size_t bytes) {
@@ -147,17 +154,6 @@ void watch_memory() {
         if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::signal(signal, ended_by_driver);
     }
 }
-
-namespace {
-
-std::atomic<bool> interrupted = false;
-
-void on_interrupt(int) {
-    interrupted = true;
-    std::signal(SIGINT, SIG_DFL);
-}
-
-}  // namespace
 
 Interrupt::Interrupt() {
     interrupted = false;

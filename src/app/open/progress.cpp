@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -18,15 +19,8 @@ namespace snell {
 namespace {
 
 std::string_view doing(LoadProgress::Stage stage) {
-    switch (stage) {
-        case LoadProgress::Stage::programs:
-            return "compiling programs";
-        case LoadProgress::Stage::files:
-            return "reading files";
-        case LoadProgress::Stage::draws:
-            return "making ready";
-    }
-    return "";
+    constexpr std::array<std::string_view, 3> words{"compiling programs", "reading files", "making ready"};
+    return words[static_cast<std::size_t>(stage)];
 }
 
 std::size_t columns_of_terminal() {

@@ -1,9 +1,7 @@
 #include "src/app/open/write_copy.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -11,7 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -121,17 +118,6 @@ std::string write_all(const std::vector<Target>& targets, const fs::path& folder
 
 }  // namespace
 
-std::string check_folder(const std::string& folder) {
-    std::vector<fs::path> made;
-    std::string wrong = make_folders(folder, made);
-    std::error_code error;
-    if (wrong.empty() && !fs::is_directory(folder, error)) wrong = fmt::format("'{}' is no folder", shown(folder));
-    if (wrong.empty() && access(folder.c_str(), W_OK) != 0)
-        wrong = fmt::format("cannot write into '{}': {}", shown(folder), std::strerror(errno));
-    for (auto path = made.rbegin(); path != made.rend(); ++path) fs::remove(*path, error);
-    return wrong;
-}
-
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
                        const std::string& folder) {
     WrittenCopy copy;
@@ -155,8 +141,6 @@ WrittenCopy write_copy(const std::string& scene, const Access& access, const std
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 using Folders = std::vector<std::string>;
 

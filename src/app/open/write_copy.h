@@ -19,9 +19,6 @@ struct WrittenCopy {
     std::string error;               // "", or why nothing was written
 };
 
-// Why no copy can be written into the folder; empty: it can. Leaves nothing behind.
-std::string check_folder(const std::string& folder);
-
 // Writes the scene and everything that it reads, whatever its rungs are, into `folder`, which is made if it is missing.
 // `texts`: by path, as Files resolves it for the scene, what is written instead of the file. Files keep their places
 // relative to each other (copy_names.h). It writes all files or none, and refuses to replace a file with other bytes,

@@ -281,8 +281,6 @@ Exit make_gallery(const GalleryOptions& options) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // Names without regard to case; beyond ASCII, if the system knows the letters.
 class CaseFolding {
 public:
@@ -337,29 +335,6 @@ std::string title_with_folders(const Exhibit& exhibit) {
     return utf8::printable((name.has_parent_path() ? name : around / name).string());
 }
 
-}  // namespace
-
-void name_pages(std::vector<Exhibit>& exhibits) {
-    const CaseFolding folded;
-    std::map<std::string, int> scenes;
-    for (const Exhibit& exhibit : exhibits) ++scenes[folded(name_of_scene(exhibit))];
-    std::set<std::string> taken{"index"};
-    for (const bool clash : {false, true})
-        for (Exhibit& exhibit : exhibits) {
-            const std::string own = name_of_scene(exhibit);
-            if ((scenes[folded(own)] > 1) != clash) continue;
-            const std::string name = clash ? page_name(name_with_folders(exhibit).string()) : own;
-            exhibit.title =
-                clash ? title_with_folders(exhibit) : utf8::printable(fs::path(exhibit.scene).stem().string());
-            std::string unique = name;
-            for (int number = 2; !taken.insert(folded(unique)).second; ++number)
-                unique = fmt::format("{}-{}", name, number);
-            exhibit.page = unique + ".html";
-        }
-}
-
-namespace {
-
 constexpr std::string_view index_style =
     R"(body { max-width: 70rem; }
 ul { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(11rem, calc(50% - .5rem)), 1fr)); gap: 1rem; margin: 0; padding: 0; list-style: none; }
@@ -387,6 +362,25 @@ std::string gallery_item(const GalleryRow& row) {
 }
 
 }  // namespace
+
+void name_pages(std::vector<Exhibit>& exhibits) {
+    const CaseFolding folded;
+    std::map<std::string, int> scenes;
+    for (const Exhibit& exhibit : exhibits) ++scenes[folded(name_of_scene(exhibit))];
+    std::set<std::string> taken{"index"};
+    for (const bool clash : {false, true})
+        for (Exhibit& exhibit : exhibits) {
+            const std::string own = name_of_scene(exhibit);
+            if ((scenes[folded(own)] > 1) != clash) continue;
+            const std::string name = clash ? page_name(name_with_folders(exhibit).string()) : own;
+            exhibit.title =
+                clash ? title_with_folders(exhibit) : utf8::printable(fs::path(exhibit.scene).stem().string());
+            std::string unique = name;
+            for (int number = 2; !taken.insert(folded(unique)).second; ++number)
+                unique = fmt::format("{}-{}", name, number);
+            exhibit.page = unique + ".html";
+        }
+}
 
 std::string row_text(const GalleryRow& row) {
     return content::json_text(

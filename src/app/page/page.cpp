@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
@@ -165,6 +164,23 @@ std::optional<PageParts> parts_of_page(const PageOptions& options, const Access&
     return page_parts(options.scene, options.title, options.link, opened, access);
 }
 
+namespace fs = std::filesystem;
+
+// Puts `text` in the place of `mark`, if it occurs once; sets `good` to false otherwise.
+void put(std::string& page, std::string_view mark, std::string_view text, bool& good) {
+    const std::size_t at = page.find(mark);
+    if (at == page.npos || page.find(mark, at + mark.size()) != page.npos)
+        good = false;
+    else
+        page.replace(at, mark.size(), text);
+}
+
+std::string element(std::string_view begin, std::string_view text) { return fmt::format("{}{}</script>", begin, text); }
+
+constexpr std::string_view scene_begin = R"(<script type="application/json" id="scene">)";
+constexpr std::string_view archive_begin = R"(<script type="text/plain" id="archive">)";
+constexpr std::string_view runtime_begin = R"(<script type="text/plain" id="runtime">)";
+
 }  // namespace
 
 std::string size_text(std::uintmax_t bytes) {
@@ -239,27 +255,6 @@ Exit make_page(const PageOptions& options) {
     if (has_room_for_list(options.output)) list_files(options, *parts, text->size());
     return exit_fine;
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-// Puts `text` in the place of `mark`, if it occurs once; sets `good` to false otherwise.
-void put(std::string& page, std::string_view mark, std::string_view text, bool& good) {
-    const std::size_t at = page.find(mark);
-    if (at == page.npos || page.find(mark, at + mark.size()) != page.npos)
-        good = false;
-    else
-        page.replace(at, mark.size(), text);
-}
-
-std::string element(std::string_view begin, std::string_view text) { return fmt::format("{}{}</script>", begin, text); }
-
-constexpr std::string_view scene_begin = R"(<script type="application/json" id="scene">)";
-constexpr std::string_view archive_begin = R"(<script type="text/plain" id="archive">)";
-constexpr std::string_view runtime_begin = R"(<script type="text/plain" id="runtime">)";
-
-}  // namespace
 
 std::string web_file(const std::string& name, std::string& error) {
     std::error_code none;

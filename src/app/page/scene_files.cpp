@@ -1,6 +1,5 @@
 #include "src/app/page/scene_files.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -74,34 +73,6 @@ std::string too_much(const std::vector<PackedFile>& files) {
                        bytes >> 20, most_page_files, most_page_bytes >> 20);
 }
 
-}  // namespace
-
-SceneFiles scene_files(const std::string& scene, const Access& access) {
-    const std::string marked = marked_path(scene);
-    Files files(scene_folder(marked), access);
-    const Used used = used_by(marked, files);
-    if (!used.error.empty()) return {{}, {}, used.error};
-    CopyNames names = copy_names(marked, used.paths, "a page");
-    SceneFiles found{names.scene, {}, names.error};
-    for (const NamedFile& named : names.files) {
-        if (!found.error.empty()) return found;
-        std::string error;
-        auto bytes = files.read(named.path, error);
-        if (!bytes) {
-            found.error = fmt::format("cannot read '{}': {}", shown_path(named.path), error);
-            return found;
-        }
-        found.files.push_back({named.name, std::move(*bytes)});
-        const PackedFile& file = found.files.back();
-        if (used.images.contains(named.path) && !page_decodes(named.name, file.bytes))
-            if (auto twin = decoded(file, access.limits)) found.files.push_back(std::move(*twin));
-        found.error = too_much(found.files);
-    }
-    return found;
-}
-
-namespace {
-
 std::uint32_t number_at(std::string_view bytes, std::size_t at, int size) {
     std::uint32_t number = 0;
     for (int i = size; i-- > 0;)
@@ -136,6 +107,30 @@ std::string without_foretold(std::string_view bytes, const std::array<std::size_
 }
 
 }  // namespace
+
+SceneFiles scene_files(const std::string& scene, const Access& access) {
+    const std::string marked = marked_path(scene);
+    Files files(scene_folder(marked), access);
+    const Used used = used_by(marked, files);
+    if (!used.error.empty()) return {{}, {}, used.error};
+    CopyNames names = copy_names(marked, used.paths, "a page");
+    SceneFiles found{names.scene, {}, names.error};
+    for (const NamedFile& named : names.files) {
+        if (!found.error.empty()) return found;
+        std::string error;
+        auto bytes = files.read(named.path, error);
+        if (!bytes) {
+            found.error = fmt::format("cannot read '{}': {}", shown_path(named.path), error);
+            return found;
+        }
+        found.files.push_back({named.name, std::move(*bytes)});
+        const PackedFile& file = found.files.back();
+        if (used.images.contains(named.path) && !page_decodes(named.name, file.bytes))
+            if (auto twin = decoded(file, access.limits)) found.files.push_back(std::move(*twin));
+        found.error = too_much(found.files);
+    }
+    return found;
+}
 
 std::string archive(std::span<const PackedFile> files) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();

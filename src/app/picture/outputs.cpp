@@ -1,9 +1,6 @@
 #include "src/app/picture/outputs.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <unordered_map>
 
@@ -39,6 +36,24 @@ public:
 private:
     std::unordered_map<std::string, fs::path> folders_;
 };
+
+constexpr std::size_t most_waiting = 8, most_threads = 4;
+
+Written write(const std::string& path, std::optional<content::Image> picture, bool light,
+              const Writer::Wanted& wanted) {
+    const runtime::Stopwatch watch;
+    Written written;
+    if (picture) written.error = content::write_image(path, *picture);
+    if (written.error.empty() && (wanted.hash || (wanted.tile && !picture))) {
+        const std::string bytes = content::whole_file(path);
+        written.bytes = bytes.size();
+        if (wanted.hash) written.sha256 = content::sha256(bytes);
+        if (!picture) picture = content::decode_image(path, bytes).image;
+    }
+    if (wanted.tile && picture) written.tile = thumbnail(*picture, light);
+    written.milliseconds = watch.milliseconds();
+    return written;
+}
 
 }  // namespace
 
@@ -85,28 +100,6 @@ Exit check_outputs(std::span<const std::string> outputs, std::span<const std::st
     }
     return status;
 }
-
-namespace {
-
-constexpr std::size_t most_waiting = 8, most_threads = 4;
-
-Written write(const std::string& path, std::optional<content::Image> picture, bool light,
-              const Writer::Wanted& wanted) {
-    const runtime::Stopwatch watch;
-    Written written;
-    if (picture) written.error = content::write_image(path, *picture);
-    if (written.error.empty() && (wanted.hash || (wanted.tile && !picture))) {
-        const std::string bytes = content::whole_file(path);
-        written.bytes = bytes.size();
-        if (wanted.hash) written.sha256 = content::sha256(bytes);
-        if (!picture) picture = content::decode_image(path, bytes).image;
-    }
-    if (wanted.tile && picture) written.tile = thumbnail(*picture, light);
-    written.milliseconds = watch.milliseconds();
-    return written;
-}
-
-}  // namespace
 
 Writer::~Writer() { finish(); }
 

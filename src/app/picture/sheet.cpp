@@ -1,7 +1,6 @@
 #include "src/app/picture/sheet.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "src/content/image/reduced.h"
 #include "src/ui/kit/lettering.h"

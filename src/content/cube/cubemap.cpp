@@ -94,9 +94,8 @@ CubeFaces fill_faces(const Image& like, int size, int grid, const Sample& sample
             const std::size_t face = row / rows, y = row % rows;
             for (std::size_t x = 0; x < rows; ++x) {
                 const auto sum = texel(static_cast<int>(face), static_cast<int>(x), static_cast<int>(y));
-                for (std::size_t c = 0; c < channels; ++c) {
+                for (std::size_t c = 0; c < channels; ++c)
                     store(faces[face], (y * rows + x) * channels + c, static_cast<float>(sum[c] / (grid * grid)));
-                }
             }
         }
     });
@@ -132,38 +131,21 @@ struct Cell {
     bool turned = false;  // by 180 degrees
 };
 
-Cell cell_of(CubeLayout layout, int face) {
-    constexpr std::array<Cell, 6> horizontal{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
-    constexpr std::array<Cell, 6> vertical{{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, true}}};
-    switch (layout) {
-        case CubeLayout::cross_horizontal:
-            return horizontal[static_cast<std::size_t>(face)];
-        case CubeLayout::cross_vertical:
-            return vertical[static_cast<std::size_t>(face)];
-        case CubeLayout::strip_horizontal:
-            return {face, 0};
-        case CubeLayout::strip_vertical:
-            return {0, face};
-        case CubeLayout::equirectangular:
-            break;
-    }
-    return {};
-}
+// How an image of a layout is divided, and where its faces are; in the order of CubeLayout.
+struct Grid {
+    int columns = 0, rows = 0;
+    std::array<Cell, 6> cells{};
+};
+constexpr std::array<Grid, 5> grids{{{1, 2},  // a panorama has no cells
+                                     {4, 3, {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}}},
+                                     {3, 4, {{{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, true}}}},
+                                     {6, 1, {{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {5, 0}}}},
+                                     {1, 6, {{{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5}}}}}};
+const Grid& grid_of(CubeLayout layout) { return grids[static_cast<std::size_t>(layout)]; }
 
 int cell_size(const Image& image, CubeLayout layout) {
-    switch (layout) {
-        case CubeLayout::cross_horizontal:
-            return std::min(image.width / 4, image.height / 3);
-        case CubeLayout::cross_vertical:
-            return std::min(image.width / 3, image.height / 4);
-        case CubeLayout::strip_horizontal:
-            return std::min(image.width / 6, image.height);
-        case CubeLayout::strip_vertical:
-            return std::min(image.width, image.height / 6);
-        case CubeLayout::equirectangular:
-            break;
-    }
-    return image.height / 2;
+    const Grid& grid = grid_of(layout);
+    return std::min(image.width / grid.columns, image.height / grid.rows);
 }
 
 Image cut(const Image& image, const Cell& cell, int size) {
@@ -189,15 +171,13 @@ CubeFaces from_cells(const Image& image, CubeLayout layout, int face_size) {
     const int size = cell_size(image, layout);
     CubeFaces faces;
     if (face_size == size) {
-        for (int face = 0; face < 6; ++face) {
-            faces[static_cast<std::size_t>(face)] = cut(image, cell_of(layout, face), size);
-        }
+        for (std::size_t face = 0; face < 6; ++face) faces[face] = cut(image, grid_of(layout).cells[face], size);
         return faces;
     }
     const Sampler sampler(image);
     return fill_faces(
         image, face_size, grid_for(static_cast<double>(size) / face_size), [&](int face, double s, double t) {
-            const Cell cell = cell_of(layout, face);
+            const Cell cell = grid_of(layout).cells[static_cast<std::size_t>(face)];
             const int left = cell.column * size, top = cell.row * size;
             const auto texel = [&](int x, int y) {
                 return sampler.index(std::clamp(x, left, left + size - 1), std::clamp(y, top, top + size - 1));
@@ -231,20 +211,9 @@ CubeFaces split_cube(const Image& image, CubeLayout layout, int face_size) {
 
 std::array<double, 3> face_direction(int face, double s, double t) {
     const double u = 2 * s - 1, v = 2 * t - 1;
-    switch (face) {
-        case 0:
-            return {1, -v, -u};
-        case 1:
-            return {-1, -v, u};
-        case 2:
-            return {u, 1, v};
-        case 3:
-            return {u, -1, -v};
-        case 4:
-            return {u, -v, 1};
-        default:
-            return {-u, -v, -1};
-    }
+    const std::array<std::array<double, 3>, 6> directions{
+        {{1, -v, -u}, {-1, -v, u}, {u, 1, v}, {u, -1, -v}, {u, -v, 1}, {-u, -v, -1}}};
+    return directions[static_cast<std::size_t>(face)];
 }
 
 std::array<double, 2> equirectangular_position(const std::array<double, 3>& direction) {
@@ -289,9 +258,8 @@ std::vector<std::array<std::string, 6>> face_names(std::string_view name) {
     for (const Words& words : conventions) {
         for (const std::string_view separator : separators) {
             auto& names = result.emplace_back();
-            for (std::size_t i = 0; i < 6; ++i) {
+            for (std::size_t i = 0; i < 6; ++i)
                 names[i] = stem + std::string(separator) + std::string(words[i]) + extension;
-            }
         }
     }
     return result;

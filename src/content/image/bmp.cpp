@@ -2,7 +2,6 @@
 // 2, 4 and 8 bits with a palette, also run-length coded; 16, 24 and 32 bits, with or without bit masks.
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <limits>
 
 #include "src/content/image/formats.h"
@@ -38,9 +37,8 @@ bool known_header(std::uint32_t size) {
 std::string read_sizes(std::string_view bytes, Layout& layout) {
     if (bytes.size() < file_header + 12) return "the file ends within its header";
     layout.header_size = read_u32(bytes, file_header);
-    if (!known_header(static_cast<std::uint32_t>(layout.header_size))) {
+    if (!known_header(static_cast<std::uint32_t>(layout.header_size)))
         return "the header has " + std::to_string(layout.header_size) + " bytes, which is not a valid BMP header size";
-    }
     if (bytes.size() < file_header + layout.header_size) return "the file ends within its header";
     if (layout.header_size == 12) {
         layout.width = read_u16(bytes, 18);
@@ -55,9 +53,8 @@ std::string read_sizes(std::string_view bytes, Layout& layout) {
     }
     layout.top_down = layout.height < 0;
     if (layout.top_down) layout.height = -layout.height;
-    if (layout.width <= 0 || layout.height <= 0) {
+    if (layout.width <= 0 || layout.height <= 0)
         return "invalid size " + std::to_string(layout.width) + " x " + std::to_string(layout.height);
-    }
     return {};
 }
 
@@ -91,9 +88,8 @@ void read_masks(std::string_view bytes, Layout& layout) {
     if (layout.header_size == 64) count = 3;
     constexpr std::size_t masks_at = 54;
     layout.masks = {};
-    for (std::size_t i = 0; i < count && masks_at + 4 * i + 4 <= bytes.size(); ++i) {
+    for (std::size_t i = 0; i < count && masks_at + 4 * i + 4 <= bytes.size(); ++i)
         layout.masks[i] = read_u32(bytes, masks_at + 4 * i);
-    }
     if (layout.header_size == 40) layout.palette_at += 4 * count;
 }
 
@@ -191,9 +187,7 @@ std::int64_t decode_plain(std::string_view data, const Layout& layout, Rows rows
 }
 
 std::int64_t decode_runs(std::string_view data, const Layout& layout, Rows rows) {
-    for (std::int64_t y = 0; y < layout.height; ++y) {
-        std::fill_n(rows.row(y), layout.width, layout.palette[0]);
-    }
+    for (std::int64_t y = 0; y < layout.height; ++y) std::fill_n(rows.row(y), layout.width, layout.palette[0]);
     const bool nibbles = layout.compression == rle4;
     const auto color = [&](unsigned byte, unsigned k) -> Rgba {
         return layout.palette[nibbles ? (k % 2 == 0 ? byte >> 4 : byte & 15u) : byte];
@@ -221,9 +215,8 @@ std::int64_t decode_runs(std::string_view data, const Layout& layout, Rows rows)
         } else {  // literal pixels, padded to 16 bits
             const std::size_t size = nibbles ? (value + 1) / 2 : value;
             if (at + size > data.size()) break;
-            for (unsigned k = 0; k < value; ++k) {
+            for (unsigned k = 0; k < value; ++k)
                 put(color(static_cast<unsigned char>(data[at + (nibbles ? k / 2 : k)]), k));
-            }
             at += size + size % 2;
         }
     }
@@ -259,9 +252,8 @@ ImageResult decode_bmp(std::string_view bytes, const ImageLimits& limits) {
     if (auto issue = check_size("BMP", layout.width, layout.height, 1, sizeof(Rgba), limits)) return {{}, {*issue}};
     read_masks(bytes, layout);
     layout.pixels_at = read_u32(bytes, 10);
-    if (layout.pixels_at < file_header + layout.header_size || layout.pixels_at > bytes.size()) {
+    if (layout.pixels_at < file_header + layout.header_size || layout.pixels_at > bytes.size())
         layout.pixels_at = natural_start(bytes, layout);
-    }
     read_palette(bytes, layout);
     if (layout.pixels_at >= bytes.size()) return unreadable("the file ends before the first pixel");
 

@@ -46,27 +46,6 @@ double light_by_curve(double encoded) {
 // What number_at() makes of a byte.
 double number_of_byte(std::size_t byte) { return static_cast<double>(static_cast<float>(byte) / 255.0f); }
 
-}  // namespace
-
-// Pictures of bytes have 256 numbers, which are looked up: powers cost more than all else that is done with them.
-double light_of_srgb(double encoded) {
-    static const std::array<double, 256> table = [] {
-        std::array<double, 256> light{};
-        for (std::size_t i = 0; i < light.size(); ++i) light[i] = light_by_curve(number_of_byte(i));
-        return light;
-    }();
-    const double scaled = encoded * 255;
-    const std::size_t byte = scaled > 0 && scaled < 255.5 ? static_cast<std::size_t>(scaled + .5) : 0;
-    return byte > 0 && encoded == number_of_byte(byte) ? table[byte] : light_by_curve(encoded);
-}
-
-double srgb_of_light(double light) {
-    const double c = std::abs(light);
-    return std::copysign(c <= .0031308 ? c * 12.92 : 1.055 * std::pow(c, 1 / 2.4) - .055, light);
-}
-
-namespace {
-
 float light_of_byte(std::byte value) {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> light{};
@@ -106,6 +85,23 @@ float decoded(const Image& image, std::size_t index) {
 }
 
 }  // namespace
+
+// Pictures of bytes have 256 numbers, which are looked up: powers cost more than all else that is done with them.
+double light_of_srgb(double encoded) {
+    static const std::array<double, 256> table = [] {
+        std::array<double, 256> light{};
+        for (std::size_t i = 0; i < light.size(); ++i) light[i] = light_by_curve(number_of_byte(i));
+        return light;
+    }();
+    const double scaled = encoded * 255;
+    const std::size_t byte = scaled > 0 && scaled < 255.5 ? static_cast<std::size_t>(scaled + .5) : 0;
+    return byte > 0 && encoded == number_of_byte(byte) ? table[byte] : light_by_curve(encoded);
+}
+
+double srgb_of_light(double light) {
+    const double c = std::abs(light);
+    return std::copysign(c <= .0031308 ? c * 12.92 : 1.055 * std::pow(c, 1 / 2.4) - .055, light);
+}
 
 float value_at(const Image& image, std::size_t index) {
     return image.srgb && !is_alpha(image, index) ? decoded(image, index) : number_at(image, index);

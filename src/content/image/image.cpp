@@ -55,6 +55,9 @@ ImageResult decode_as(std::string_view format, std::string_view named, std::stri
     return decode_other(bytes, format.empty() ? named : format, limits);
 }
 
+constexpr std::string_view magic = "SNELLIMG";
+constexpr std::size_t header_bytes = magic.size() + 20;
+
 }  // namespace
 
 std::size_t Image::pixel_bytes() const { return static_cast<std::size_t>(channels) * channel_bytes(type); }
@@ -184,13 +187,6 @@ Image to_rgba(Image image) {
     }
     return result;
 }
-
-namespace {
-
-constexpr std::string_view magic = "SNELLIMG";
-constexpr std::size_t header_bytes = magic.size() + 20;
-
-}  // namespace
 
 std::vector<std::byte> decoded_file(const Image& image) {
     const Image top_first = image.bottom_first ? flipped(image) : image;

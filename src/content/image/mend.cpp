@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "parser/text/words.h"
 #include "src/content/image/formats.h"
 
 namespace snell::content {
@@ -72,10 +73,6 @@ std::vector<std::size_t> mend(const Image& shape, std::vector<float>& values) {
     return all;
 }
 
-std::string plural(std::size_t count, const char* what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 }  // namespace
 
 ImageResult half_image(Image shape, std::vector<float> values) {
@@ -84,7 +81,7 @@ ImageResult half_image(Image shape, std::vector<float> values) {
     if (const std::size_t count = result.replaced.size(); count > 0) {
         result.issues.push_back(
             {false, "image-non-finite",
-             plural(count, "value") + " of the image " + (count == 1 ? "is" : "are") +
+             counted(count, "value") + " of the image " + (count == 1 ? "is" : "are") +
                  (count == 1 ? " infinite or NaN; it is replaced by the mean of its neighbours"
                              : " infinite or NaN; they are replaced by the mean of their neighbours"),
              "save the image with finite values"});
@@ -103,7 +100,7 @@ ImageResult half_image(Image shape, std::vector<float> values) {
     }
     if (clamped > 0) {
         result.issues.push_back({false, "image-clamped",
-                                 plural(clamped, "value") + " of the image " +
+                                 counted(clamped, "value") + " of the image " +
                                      (clamped == 1 ? "exceeds 65504, the largest half float; it is clamped"
                                                    : "exceed 65504, the largest half float; they are clamped"),
                                  "scale the image's values down"});

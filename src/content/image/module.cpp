@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -132,6 +131,28 @@ ImageResult finish(Reading& reading) {
     return result;
 }
 
+using std::string_view_literals::operator""sv;
+
+// Decoders of other formats, such as TIFF and GIF, also accept files that were cut off.
+constexpr std::string_view provable[] = {"png", "jpeg", "openexr", "hdr", "targa", "bmp"};
+
+// Length, name, data, checksum of name and data; nothing behind the last one.
+bool has_whole_chunks(std::string_view bytes) {
+    constexpr std::size_t signature = 8, around = 12;
+    bool pixels = false;
+    for (std::size_t at = signature; at + around <= bytes.size();) {
+        const std::size_t length = read_big_u32(bytes, at);
+        if (length > bytes.size() - at - around) return false;
+        const std::string_view named = bytes.substr(at + 4, 4 + length);
+        const auto* data = reinterpret_cast<const Bytef*>(named.data());
+        if (crc32_z(0, data, named.size()) != read_big_u32(bytes, at + 8 + length)) return false;
+        at += around + length;
+        pixels = pixels || named.starts_with("IDAT");
+        if (named == "IEND") return pixels && at == bytes.size();
+    }
+    return false;
+}
+
 }  // namespace
 
 SnellOiioShape module_shape(const Image& image) {
@@ -185,32 +206,6 @@ ImageResult decode_other(std::string_view bytes, std::string_view format, const 
     }
     return image_failed("image-unreadable", what, "save it as PNG, JPEG, BMP, HDR or EXR");
 }
-
-namespace {
-
-using std::string_view_literals::operator""sv;
-
-// Decoders of other formats, such as TIFF and GIF, also accept files that were cut off.
-constexpr std::string_view provable[] = {"png", "jpeg", "openexr", "hdr", "targa", "bmp"};
-
-// Length, name, data, checksum of name and data; nothing behind the last one.
-bool has_whole_chunks(std::string_view bytes) {
-    constexpr std::size_t signature = 8, around = 12;
-    bool pixels = false;
-    for (std::size_t at = signature; at + around <= bytes.size();) {
-        const std::size_t length = read_big_u32(bytes, at);
-        if (length > bytes.size() - at - around) return false;
-        const std::string_view named = bytes.substr(at + 4, 4 + length);
-        const auto* data = reinterpret_cast<const Bytef*>(named.data());
-        if (crc32_z(0, data, named.size()) != read_big_u32(bytes, at + 8 + length)) return false;
-        at += around + length;
-        pixels = pixels || named.starts_with("IDAT");
-        if (named == "IEND") return pixels && at == bytes.size();
-    }
-    return false;
-}
-
-}  // namespace
 
 bool is_whole(const std::string& path, std::string_view bytes, const ImageLimits& limits) {
     const std::string_view format = format_of_extension(extension_of(path));

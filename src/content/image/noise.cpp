@@ -132,9 +132,8 @@ Image make_noise(int dimensions, int size) {
         {dimensions, size, 0}, {dimensions, size, 1}, {dimensions, size, 2}, {dimensions, size, 3}};
 
     const auto fill_row = [&](std::size_t row, std::vector<float>& out) {
-        for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t c = 0; c < 4; ++c)
             octaves[c].row(static_cast<int>(row % rows), static_cast<int>(row / rows), out.data() + c, 4);
-        }
     };
     // The sum of each row is stored separately, so that the total does not depend on the number of threads.
     std::vector<std::array<double, 4>> squares(rows * slices);
@@ -142,9 +141,8 @@ Image make_noise(int dimensions, int size) {
         std::vector<float> values(rows * 4);
         for (std::size_t row = first; row < last; ++row) {
             fill_row(row, values);
-            for (std::size_t i = 0; i < values.size(); ++i) {
+            for (std::size_t i = 0; i < values.size(); ++i)
                 squares[row][i % 4] += static_cast<double>(values[i]) * static_cast<double>(values[i]);
-            }
         }
     });
     std::array<float, 4> scale{};

@@ -21,6 +21,12 @@ void on_write_warning(png_structp, png_const_charp) {}
 
 void on_flush(png_structp) {}
 
+using Message = std::array<char, 1024>;
+
+std::string said(const Message& message) {
+    return message[0] ? message.data() : "cannot write the picture in this format";
+}
+
 }  // namespace
 
 void PngEncoder::on_error(png_structp png, png_const_charp message) {
@@ -160,9 +166,8 @@ ImageResult unreadable(const Reader& reader) {
 ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {
     if (const auto header = png_header(bytes)) {
         const auto unsigned_size = [](int v) { return static_cast<std::int64_t>(static_cast<std::uint32_t>(v)); };
-        if (auto issue = check_size("PNG", unsigned_size(header->width), unsigned_size(header->height), 1, 1, limits)) {
+        if (auto issue = check_size("PNG", unsigned_size(header->width), unsigned_size(header->height), 1, 1, limits))
             return {{}, {*issue}};
-        }
     }
     Reader reader;
     reader.bytes = bytes;
@@ -178,9 +183,8 @@ ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {
 
     std::vector<std::byte> pixels(image.bytes() * (wide ? 2 : 1));
     const std::size_t row_bytes = pixels.size() / static_cast<std::size_t>(image.height);
-    for (int y = 0; y < image.height; ++y) {
+    for (int y = 0; y < image.height; ++y)
         reader.rows.push_back(reinterpret_cast<png_bytep>(pixels.data() + static_cast<std::size_t>(y) * row_bytes));
-    }
     const bool whole = read_rows(reader);
     if (!whole && !reader.any_row) return unreadable(reader);
 
@@ -198,16 +202,6 @@ ImageResult decode_png(std::string_view bytes, const ImageLimits& limits) {
     }
     return result;
 }
-
-namespace {
-
-using Message = std::array<char, 1024>;
-
-std::string said(const Message& message) {
-    return message[0] ? message.data() : "cannot write the picture in this format";
-}
-
-}  // namespace
 
 struct RowWriter::File {
     File(const std::string& path_, const Image& shape_) : path(path_), shape(shape_), place(path_) {}

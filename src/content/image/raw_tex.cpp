@@ -50,9 +50,8 @@ std::vector<RawLayout> readings(std::string_view first_bytes, std::size_t file_s
 
 ImageResult no_reading(std::string_view bytes) {
     std::string numbers;
-    for (std::size_t at = 0; at + 4 <= bytes.size() && at < 12; at += 4) {
+    for (std::size_t at = 0; at + 4 <= bytes.size() && at < 12; at += 4)
         numbers += " " + std::to_string(read_i32(bytes, at));
-    }
     std::string message = "raw texture: the file has " + std::to_string(bytes.size()) + " bytes, ";
     message += numbers.empty() ? "too few for a size"
                                : "which does not match the sizes at its start (" + numbers.substr(1) + ")";
@@ -82,9 +81,8 @@ ImageResult decode_tex(std::string_view bytes, const ImageLimits& limits) {
     }
     const RawLayout& reading = found.front();
     const auto [width, height, depth] = reading.size;
-    if (auto issue = check_size("raw texture", width, height, depth, reading.floats ? 8 : 4, limits)) {
+    if (auto issue = check_size("raw texture", width, height, depth, reading.floats ? 8 : 4, limits))
         return {{}, {*issue}};
-    }
     Image image;
     image.width = static_cast<int>(width);
     image.height = static_cast<int>(height);

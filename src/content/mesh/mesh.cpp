@@ -179,34 +179,30 @@ struct Maker {
     Mesh operator()(const VertexList&) const { return no_data(); }
 };
 
-}  // namespace
+constexpr std::uint32_t empty = ~std::uint32_t{0};
 
-void Mesh::compute_bounds() {
-    min = max = {0, 0, 0};
-    bool first = true;
-    for (const Float3& p : positions) {
-        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            min[k] = first ? p[k] : std::min(min[k], p[k]);
-            max[k] = first ? p[k] : std::max(max[k], p[k]);
-        }
-        first = false;
-    }
+std::uint64_t mix(std::uint64_t x) {  // the finaliser of splitmix64
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+    return x ^ (x >> 31);
 }
 
-std::size_t Mesh::bytes() const {
-    return (positions.size() + normals.size() + texcoords.size() + tangents.size()) * sizeof(Float3) +
-           w.size() * sizeof(float) + colors.size() * sizeof(Float4) + indices.size() * sizeof(std::uint32_t) +
-           parts.size() * sizeof(MeshPart);
+std::uint64_t hash(const Float3& p) {
+    // Adding 0 turns -0 into 0.
+    const auto bits = [](float x) { return std::uint64_t{bits_as<std::uint32_t>(x + 0.f)}; };
+    return mix(mix(bits(p[0]) | bits(p[1]) << 32) ^ bits(p[2]));
 }
 
-MeshResult make_shape(const Shape& shape, bool wire, const MeshLimits& limits) {
-    MeshResult result;
-    result.mesh = std::visit(Maker{wire, limits, result.issues}, shape);
-    return result;
-}
+std::size_t table_size(std::size_t entries) { return std::bit_ceil(entries * 2 + 1); }
 
-namespace {
+Float3 narrow(const Vec3& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
+
+// Normalises `v`; a vector without direction becomes +Z.
+Float3 unit(const Vec3& v) {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    if (!(length > 0) || !std::isfinite(length)) return {0, 0, 1};
+    return narrow({v[0] / length, v[1] / length, v[2] / length});
+}
 
 // An edge of a triangle. `edge` combines its two places in ascending order.
 struct Half {
@@ -242,6 +238,31 @@ const Half& partner(std::span<const Half> own, std::span<const Half> other, std:
 
 }  // namespace
 
+void Mesh::compute_bounds() {
+    min = max = {0, 0, 0};
+    bool first = true;
+    for (const Float3& p : positions) {
+        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            min[k] = first ? p[k] : std::min(min[k], p[k]);
+            max[k] = first ? p[k] : std::max(max[k], p[k]);
+        }
+        first = false;
+    }
+}
+
+std::size_t Mesh::bytes() const {
+    return (positions.size() + normals.size() + texcoords.size() + tangents.size()) * sizeof(Float3) +
+           w.size() * sizeof(float) + colors.size() * sizeof(Float4) + indices.size() * sizeof(std::uint32_t) +
+           parts.size() * sizeof(MeshPart);
+}
+
+MeshResult make_shape(const Shape& shape, bool wire, const MeshLimits& limits) {
+    MeshResult result;
+    result.mesh = std::visit(Maker{wire, limits, result.issues}, shape);
+    return result;
+}
+
 std::vector<std::uint32_t> with_adjacency(std::span<const std::uint32_t> triangles, const Weld& weld,
                                           std::size_t* border_edges, std::size_t* crowded_edges) {
     std::vector<std::uint32_t> result(triangles.size() * 2);
@@ -263,26 +284,6 @@ std::vector<std::uint32_t> with_adjacency(std::span<const std::uint32_t> triangl
     }
     return result;
 }
-
-namespace {
-
-constexpr std::uint32_t empty = ~std::uint32_t{0};
-
-std::uint64_t mix(std::uint64_t x) {  // the finaliser of splitmix64
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-    return x ^ (x >> 31);
-}
-
-std::uint64_t hash(const Float3& p) {
-    // Adding 0 turns -0 into 0.
-    const auto bits = [](float x) { return std::uint64_t{bits_as<std::uint32_t>(x + 0.f)}; };
-    return mix(mix(bits(p[0]) | bits(p[1]) << 32) ^ bits(p[2]));
-}
-
-std::size_t table_size(std::size_t entries) { return std::bit_ceil(entries * 2 + 1); }
-
-}  // namespace
 
 Weld weld(std::span<const Float3> positions) {
     Weld result;
@@ -320,19 +321,6 @@ void keep_each_edge_once(std::vector<std::uint32_t>& lines, const Weld& weld) {
     }
     lines.resize(kept);
 }
-
-namespace {
-
-Float3 narrow(const Vec3& v) { return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])}; }
-
-// Normalises `v`; a vector without direction becomes +Z.
-Float3 unit(const Vec3& v) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    if (!(length > 0) || !std::isfinite(length)) return {0, 0, 1};
-    return narrow({v[0] / length, v[1] / length, v[2] / length});
-}
-
-}  // namespace
 
 MeshResult make_vertex_list(const VertexListData& list) {
     MeshResult result;

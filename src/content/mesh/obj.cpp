@@ -11,7 +11,8 @@
 #define TINYOBJLOADER_IMPLEMENTATION  // its library would be loaded at every start
 #include <tiny_obj_loader.h>
 
-#include "src/content/mesh/mesh.h"
+#include "parser/vectors.h"
+#include "src/content/mesh/surface.h"
 
 namespace snell::content {
 namespace {
@@ -20,23 +21,11 @@ using Corners = std::array<std::uint32_t, 3>;  // indices into ObjData::corners
 constexpr std::uint32_t no_vertex = ~std::uint32_t{0};
 
 Vec3 wide(const Float3& v) { return {v[0], v[1], v[2]}; }
-Float3 to_float3(const Vec3& v) {
-    return {static_cast<float>(v[0]) + 0.f, static_cast<float>(v[1]) + 0.f, static_cast<float>(v[2]) + 0.f};
-}
-
-// Normalises `v`; zero if it has no direction.
-Float3 unit_normal(const Vec3& v) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    if (!(length > 0) || !std::isfinite(length)) return {0, 0, 0};
-    return to_float3({v[0] / length, v[1] / length, v[2] / length});
-}
-bool is_zero(const Vec3& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
+bool is_zero(const Vec3& v) { return v == Vec3{0, 0, 0}; }
 
 // A vector along the normal, of twice the triangle's area.
 Vec3 area(const Float3& p0, const Float3& p1, const Float3& p2) {
-    const Vec3 o = wide(p0), p = wide(p1), q = wide(p2);
-    const Vec3 a{p[0] - o[0], p[1] - o[1], p[2] - o[2]}, b{q[0] - o[0], q[1] - o[1], q[2] - o[2]};
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    return cross(difference(wide(p1), wide(p0)), difference(wide(p2), wide(p0)));
 }
 
 const Float3& position(const ObjData& data, std::uint32_t corner) {
@@ -77,13 +66,13 @@ std::vector<Float3> normals_by_place(const ObjData& data, const std::vector<Corn
             const std::uint32_t place = places.place[static_cast<std::size_t>(data.corners[corner].position)];
             if (is_zero(first[place])) first[place] = a;
             for (std::size_t k = 0; k < 3; ++k) sum[place][k] += a[k];
-            total[place] += std::hypot(a[0], a[1], a[2]);
+            total[place] += length(a);
         }
     }
     std::vector<Float3> normals(places.places);
     for (std::size_t i = 0; i < normals.size(); ++i) {
-        const bool cancelled = std::hypot(sum[i][0], sum[i][1], sum[i][2]) <= 1e-9 * total[i];
-        normals[i] = unit_normal(cancelled ? first[i] : sum[i]);
+        const bool cancelled = length(sum[i]) <= 1e-9 * total[i];
+        normals[i] = unit_float3(cancelled ? first[i] : sum[i]);
         if (normals[i] == Float3{0, 0, 0}) normals[i] = {0, 0, 1};
     }
     return normals;
@@ -101,7 +90,7 @@ public:
 
     std::uint32_t operator()(ObjCorner c) {
         Float3 normal{0, 0, 0};
-        if (c.normal >= 0) normal = unit_normal(wide(data_.normals[static_cast<std::size_t>(c.normal)]));
+        if (c.normal >= 0) normal = unit_float3(wide(data_.normals[static_cast<std::size_t>(c.normal)]));
         if (normal == Float3{0, 0, 0}) c.normal = -1;
         const auto at = static_cast<std::size_t>(c.position);
         for (std::uint32_t v = head_[at]; v != no_vertex; v = made_[v].next)

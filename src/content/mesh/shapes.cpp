@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "parser/vectors.h"
 #include "src/content/mesh/surface.h"
 
 namespace snell::content {
@@ -131,8 +132,6 @@ Mesh make_cloud(const PointCloud& c) {
 // Surfaces of revolution.
 namespace {
 
-double share(int i, int n) { return static_cast<double>(i) / n; }
-
 // Adds a straight side from (radius0, y0) up to (radius1, y1) in `stacks` steps.
 void add_side(std::vector<Ring>& rings, double radius0, double y0, double radius1, double y1, int stacks, double t0,
               double t1) {
@@ -140,7 +139,7 @@ void add_side(std::vector<Ring>& rings, double radius0, double y0, double radius
     double radial = y1 - y0, up = radius0 - radius1;
     if (radial == 0 && up == 0) radial = 1;
     for (int j = 0; j <= stacks; ++j) {
-        const double f = share(j, stacks);
+        const double f = fraction(j, stacks);
         rings.push_back({radius0 * (1 - f) + radius1 * f, y0 * (1 - f) + y1 * f, radial, up, t0 * (1 - f) + t1 * f});
     }
 }
@@ -178,7 +177,7 @@ Mesh make_sphere(const Sphere& s, bool wire) {
     std::vector<Ring> rings;
     for (int j = 0; j <= s.stacks; ++j) {
         const double radial = angle[static_cast<std::size_t>(j)].sin, up = -angle[static_cast<std::size_t>(j)].cos;
-        rings.push_back({s.radius * radial, s.radius * up, radial, up, share(j, s.stacks)});
+        rings.push_back({s.radius * radial, s.radius * up, radial, up, fraction(j, s.stacks)});
     }
     Surface surface(wire);
     revolve(surface, s.slices, rings, true);
@@ -192,7 +191,7 @@ Mesh make_torus(const Torus& s, bool wire) {
     std::vector<Ring> rings;
     for (int j = 0; j <= s.sides; ++j) {
         const SinCos a = tube[static_cast<std::size_t>(j)];
-        rings.push_back({s.outer + s.inner * a.cos, s.inner * a.sin, a.cos, a.sin, share(j, s.sides)});
+        rings.push_back({s.outer + s.inner * a.cos, s.inner * a.sin, a.cos, a.sin, fraction(j, s.sides)});
     }
     Surface surface(wire);
     revolve(surface, s.rings, rings);
@@ -223,7 +222,7 @@ Mesh make_disk(const Disk& s, bool wire) {
     Surface surface(wire);
     surface.grid(s.rings, s.slices, [&](int ring, int slice) {
         const SinCos a = around[static_cast<std::size_t>(slice)];
-        const double f = share(ring, s.rings);
+        const double f = fraction(ring, s.rings);
         surface.vertex({s.radius * f * a.cos, s.radius * f * a.sin, s.z}, {0, 0, 1},
                        {.5 + .5 * f * a.cos, .5 + .5 * f * a.sin, 0});
     });
@@ -348,15 +347,8 @@ Vec3 evaluate(const Patch& patch, const Weights& s, const Weights& t) {
     return sum;
 }
 
-Vec3 cross_product(const Vec3& a, const Vec3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vec3& v) { return std::hypot(v[0], v[1], v[2]); }
-
 Vec2 largest_slopes(const Patch& patch) {
-    const auto distance = [](const Vec3& a, const Vec3& b) {
-        return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    };
+    const auto distance = [](const Vec3& a, const Vec3& b) { return length(difference(a, b)); };
     Vec2 largest{0, 0};
     for (std::size_t j = 0; j < 4; ++j)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -397,9 +389,9 @@ Vec3 normal(const Net& net, double s, double t) {
     const Patch& patch = net.points;
     const Vec3 along_s = evaluate(patch, bernstein_slope(s), bernstein(t));
     const Vec3 along_t = evaluate(patch, bernstein(s), bernstein_slope(t));
-    const Vec3 product = cross_product(along_s, along_t);
+    const Vec3 product = cross(along_s, along_t);
     if (length(product) >= 1e-4 * net.largest[0] * net.largest[1]) return product;
-    return cross_product(evaluate(patch, bernstein_slope(s), bernstein_slope(t)), along_t);
+    return cross(evaluate(patch, bernstein_slope(s), bernstein_slope(t)), along_t);
 }
 
 }  // namespace
@@ -415,7 +407,7 @@ Mesh make_teapot(bool wire) {
     surface.reserve(teapot_patches * 17 * 17, teapot_patches * 16 * 16);
     for (int patch = 0; patch < teapot_patches; ++patch)
         surface.grid(n, n, [&](int i, int j) {
-            const double s = static_cast<double>(i) / n, t = static_cast<double>(j) / n;
+            const double s = fraction(i, n), t = fraction(j, n);
             const SurfacePoint point = teapot_point(patch, s, t);
             surface.vertex(point.position, point.normal, {s, t, 0});
         });
@@ -427,17 +419,10 @@ namespace {
 // A truncated icosahedron, projected onto a sphere.
 constexpr int steps = 12;  // from a face's centre to its seam
 
-double dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 cross(const Vec3& a, const Vec3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Vec3 blend(const Vec3& a, const Vec3& b, double f) {
     return {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1]), a[2] + f * (b[2] - a[2])};
 }
-Vec3 unit_vector(const Vec3& v) {
-    const double length = std::sqrt(dot(v, v));
-    return {v[0] / length, v[1] / length, v[2] / length};
-}
+Vec3 unit_vector(const Vec3& v) { return divided(v, std::sqrt(dot(v, v))); }
 
 std::array<Vec3, 12> icosahedron() {
     const double golden = (1 + std::sqrt(5.)) / 2;
@@ -509,8 +494,7 @@ public:
                 unit_vector(blend(ico[static_cast<std::size_t>(c.from)], ico[static_cast<std::size_t>(c.to)], 1. / 3)));
         for (const Vec3& c : corners_)
             for (std::size_t k = 0; k < 3; ++k) centre_[k] += c[k] / static_cast<double>(corners_.size());
-        const Vec3 arm = blend(
-            {0, 0, 0}, {corners_[0][0] - centre_[0], corners_[0][1] - centre_[1], corners_[0][2] - centre_[2]}, 1);
+        const Vec3 arm = difference(corners_[0], centre_);
         reach_ = std::sqrt(dot(arm, arm));
         s_axis_ = unit_vector(arm);
         t_axis_ = cross(unit_vector(centre_), s_axis_);
@@ -542,7 +526,7 @@ private:
 
     std::uint32_t add(const Vec3& flat, double p) {
         const Vec3 out = unit_vector(flat);
-        const Vec3 arm{flat[0] - centre_[0], flat[1] - centre_[1], flat[2] - centre_[2]};
+        const Vec3 arm = difference(flat, centre_);
         const double s = .5 + .5 * dot(arm, s_axis_) / reach_, t = .5 + .5 * dot(arm, t_axis_) / reach_;
         const auto clamp01 = [](double x) { return std::clamp(x, 0., 1.); };
         const std::uint32_t index =

@@ -3,21 +3,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/content/mesh/mesh.h"
+#include "parser/vectors.h"
 
 namespace snell::content {
-namespace {
 
-Float3 to_float(const Vec3& v) {  // adding 0 turns -0 into 0
+Float3 to_float3(const Vec3& v) {
     return {static_cast<float>(v[0]) + 0.f, static_cast<float>(v[1]) + 0.f, static_cast<float>(v[2]) + 0.f};
 }
 
 Float3 unit_float3(const Vec3& v) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    return to_float({v[0] / length, v[1] / length, v[2] / length});
+    const double size = length(v);
+    return size > 0 && std::isfinite(size) ? to_float3(divided(v, size)) : Float3{0, 0, 0};
 }
-
-}  // namespace
 
 void Surface::reserve(std::size_t vertices, std::size_t quads) {
     mesh_.positions.reserve(vertices);
@@ -27,9 +24,9 @@ void Surface::reserve(std::size_t vertices, std::size_t quads) {
 }
 
 std::uint32_t Surface::vertex(const Vec3& position, const Vec3& normal, const Vec3& texcoord) {
-    mesh_.positions.push_back(to_float(position));
+    mesh_.positions.push_back(to_float3(position));
     mesh_.normals.push_back(unit_float3(normal));
-    mesh_.texcoords.push_back(to_float(texcoord));
+    mesh_.texcoords.push_back(to_float3(texcoord));
     return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
 }
 

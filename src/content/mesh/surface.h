@@ -7,6 +7,11 @@
 
 namespace snell::content {
 
+// With 0 for -0, so that equal places have equal bits.
+Float3 to_float3(const Vec3& v);
+// Of unit length; 0 if it has no direction.
+Float3 unit_float3(const Vec3& v);
+
 // Collects vertices and faces. Faces are counter-clockwise seen from outside. If two adjacent corners coincide (sphere
 // poles, cone apex), a quad becomes a triangle and a triangle is dropped, so there are no degenerate triangles.
 class Surface {
@@ -15,7 +20,7 @@ public:
 
     // Reserves memory for what will be added.
     void reserve(std::size_t vertices, std::size_t quads);
-    // Adds a vertex. `normal` may have any length but 0. -0 is stored as 0, so that equal places have equal bits.
+    // Adds a vertex. `normal` may have any length but 0.
     std::uint32_t vertex(const Vec3& position, const Vec3& normal, const Vec3& texcoord);
     // Sets the tangent of the vertex just added; set it for all vertices or for none.
     void tangent(const Vec3& tangent);

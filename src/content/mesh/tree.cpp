@@ -60,16 +60,16 @@ struct Frame {
 
 Frame frame_of(const Bounds& box) {
     Frame frame;
-    double half = 0, farthest = 0;
+    double extent = 0, farthest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        half = std::max(half, double{box.high[k]} / 2 - double{box.low[k]} / 2);
+        extent = std::max(extent, double{box.high[k]} / 2 - double{box.low[k]} / 2);
         frame.origin[k] = box.low[k] / 2 + box.high[k] / 2;
         farthest = std::max(farthest, std::abs(double{frame.origin[k]}));
     }
     // Nearer, the difference would round more than it saves.
-    if (!(farthest > 2 * half)) frame.origin = {};
+    if (!(farthest > 2 * extent)) frame.origin = {};
     // Of a single point, no scale is better than another. Beyond 126 a power of two or its inverse is not a float.
-    if (half > 0 && std::isfinite(half)) frame.scale = std::ldexp(1.0F, std::clamp(-std::ilogb(half), -126, 126));
+    if (extent > 0 && std::isfinite(extent)) frame.scale = std::ldexp(1.0F, std::clamp(-std::ilogb(extent), -126, 126));
     return frame;
 }
 

@@ -108,9 +108,8 @@ int read(const char* path, const char* format, SnellOiioAllocate allocate, void*
     const SnellOiioShape shape = shape_of(spec, input->format_name());
     void* const pixels = allocate(context, &shape);
     if (!pixels) return message(given_up, "");
-    if (!input->read_image(0, 0, 0, shape.channels, type_of(shape.type), pixels)) {
+    if (!input->read_image(0, 0, 0, shape.channels, type_of(shape.type), pixels))
         return message(broken_off, input->geterror());
-    }
     if (shape.has_alpha && multiplied(*input)) divide_by_alpha(shape, pixels);
     return message(done, "");
 }

@@ -4,7 +4,6 @@
 // runs the author's vertex stage for each of them, and then the author's geometry stage. EmitVertex() counts, or keeps
 // what is to be captured. No output is indexed, as that is slow, and none is an array, as ANGLE captures none.
 #include <algorithm>
-#include <charconv>
 
 #include "parser/text/ranges.h"
 #include "src/glsl/forms/fusion.h"
@@ -25,8 +24,8 @@ public:
     GeometryForm(Program& program, Translation& translation) : Fusion(program, translation) {}
 
     void run() {
-        const Unit* const own = program_.find(Stage::geometry);  // null: it is snell's
-        reference_ = (own ? *own : program_.units.front()).reference;
+        const Unit* const theirs = program_.find(Stage::geometry);  // null: it is snell's
+        reference_ = (theirs ? *theirs : program_.units.front()).reference;
         read(*stage(Stage::vertex), stage(Stage::geometry));
         fragment_ = read_again(*stage(Stage::fragment), false);
         if (!ok_ || !read_layouts()) return;

@@ -12,6 +12,35 @@
 namespace snell::glsl::log {
 namespace {
 
+// What GLSL offers besides functions.
+constexpr std::string_view others =
+    "texture1D texture2D texture3D textureCube gl_Vertex gl_Normal gl_Color gl_MultiTexCoord0 gl_Position "
+    "gl_PointSize gl_FragColor gl_FragData gl_FragCoord gl_FragDepth gl_FrontFacing gl_FrontColor gl_BackColor "
+    "gl_TexCoord gl_ModelViewMatrix gl_ProjectionMatrix gl_ModelViewProjectionMatrix gl_NormalMatrix gl_TextureMatrix "
+    "gl_ModelViewMatrixInverse gl_LightSource gl_FrontMaterial gl_Fog gl_PositionIn gl_in gl_InvocationID "
+    "gl_TessCoord gl_TessLevelOuter gl_TessLevelInner gl_VertexID gl_InstanceID gl_PrimitiveID gl_PointCoord float "
+    "int bool vec2 vec3 vec4 mat2 mat3 mat4 sampler2D sampler3D samplerCube";
+
+// The parameters of a GLSL function that always takes as many ("x, y, a"); empty for others.
+std::string_view builtin_parameters(std::string_view name) {
+    const BuiltinFunction* function = builtin_function(name);
+    if (!function || function->parameters.empty()) return {};
+    const auto commas = std::count(function->parameters.begin(), function->parameters.end(), ',');
+    for (const std::string_view overload : split(function->signatures))  // R:AA; a bracket makes it longer
+        if (static_cast<std::ptrdiff_t>(overload.size()) != commas + 3) return {};
+    return function->parameters;
+}
+
+// Names of functions and variables that GLSL itself offers.
+const std::vector<std::string_view>& builtin_names() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all = split(others);
+        for (const BuiltinFunction& f : builtin_functions()) all.push_back(f.name);
+        return all;
+    }();
+    return names;
+}
+
 // Components of a float vector type or of float: 1 to 4; 0 for others.
 int components(std::string_view type) {
     if (type == "float") return 1;
@@ -443,9 +472,6 @@ void hint(const Entry& entry, const Place& place, const Context& context, Diagno
         case Kind::convert:
             diagnostic.help = conversion_help(entry.a, entry.b);
             return;
-        case Kind::operands:
-            diagnostic.help = "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3";
-            return;
         case Kind::condition:
             return hint_condition(place, context, diagnostic);
         case Kind::redeclared:
@@ -456,31 +482,14 @@ void hint(const Entry& entry, const Place& place, const Context& context, Diagno
             return hint_syntax(place, context, diagnostic);
         case Kind::end_of_file:
             return hint_end_of_file(place, context, diagnostic);
-        case Kind::needs_version:
-            diagnostic.help = "write '#version 330 compatibility' as the first line";
-            return;
         case Kind::no_main:
             return hint_no_main(entry, context, diagnostic);
         case Kind::not_written:
             return hint_not_written(entry, context, diagnostic);
         case Kind::types_differ:
             return hint_types_differ(name, place, context, diagnostic);
-        case Kind::constructor_few:
-        case Kind::constructor_many:
-            diagnostic.help = "count the components: a vec4 takes four floats, or a vec3 and a float";
-            return;
-        case Kind::no_return:
-            diagnostic.help = "end it with 'return …;'";
-            return;
-        case Kind::few_arguments:
-        case Kind::many_arguments:
-        case Kind::swizzle:
-        case Kind::not_constant:
-        case Kind::if_unfinished:
-        case Kind::no_body:
-        case Kind::other:
-        case Kind::noise:
-            return;
+        default:
+            diagnostic.help = words_of(entry.kind).help;
     }
 }
 

@@ -1,6 +1,5 @@
 // Maps the messages of drivers to kinds of errors.
 #include <array>
-#include <cctype>
 
 #include "src/glsl/log/log.h"
 
@@ -265,9 +264,8 @@ std::string type_name(std::string_view words) {
         const std::string prefix = scalar == "int" ? "i" : scalar == "uint" ? "u" : scalar == "bool" ? "b" : "";
         return prefix + "vec" + kept[0];
     }
-    if (digit(0) && digit(2) && (kept[1] == 'X' || kept[1] == 'x') && kept.substr(3).starts_with(" matrix of ")) {
+    if (digit(0) && digit(2) && (kept[1] == 'X' || kept[1] == 'x') && kept.substr(3).starts_with(" matrix of "))
         return std::string("mat") + kept[0] + (kept[0] == kept[2] ? "" : std::string("x") + kept[2]);
-    }
     return std::string(kept);
 }
 

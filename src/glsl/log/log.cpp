@@ -18,22 +18,6 @@ using log::Place;
 // The number of independent mistakes shown for one shader: students fix a few and try again.
 constexpr std::size_t most_errors = 6;
 
-std::string_view code_of(log::Kind kind) {
-    using enum log::Kind;
-    static constexpr std::pair<log::Kind, std::string_view> codes[] = {
-        {undeclared, "glsl-undeclared"}, {no_function, "glsl-call"},      {no_overload, "glsl-call"},
-        {few_arguments, "glsl-call"},    {many_arguments, "glsl-call"},   {convert, "glsl-type"},
-        {returns, "glsl-type"},          {operands, "glsl-type"},         {condition, "glsl-type"},
-        {constructor_few, "glsl-type"},  {constructor_many, "glsl-type"}, {swizzle, "glsl-type"},
-        {redeclared, "glsl-redeclared"}, {read_only, "glsl-read-only"},   {not_constant, "glsl-not-constant"},
-        {syntax, "glsl-syntax"},         {end_of_file, "glsl-syntax"},    {if_unfinished, "glsl-syntax"},
-        {no_return, "glsl-no-return"},   {needs_version, "glsl-version"}, {no_main, "glsl-no-main"},
-        {no_body, "glsl-no-body"},       {not_written, "glsl-interface"}, {types_differ, "glsl-interface"}};
-    for (const auto& [of, code] : codes)
-        if (of == kind) return code;
-    return "glsl-driver";
-}
-
 struct Found {
     Entry entry;
     Place place;
@@ -121,13 +105,13 @@ Diagnostic explain(const Found& found, const Context& context, std::string_view 
     Diagnostic diagnostic;
     diagnostic.severity = found.entry.severity;
     if (const Misfit* misfit = misfit_of(found, context)) {
-        diagnostic.code = code_of(misfit->op == ":=" ? log::Kind::convert : log::Kind::operands);
+        diagnostic.code = log::words_of(misfit->op == ":=" ? log::Kind::convert : log::Kind::operands).code;
         diagnostic.span = misfit->span;
         diagnostic.message = log::message(*misfit) + told_of(found.entry, program);
         diagnostic.help = log::help(*misfit);
         return diagnostic;
     }
-    diagnostic.code = code_of(found.entry.kind);
+    diagnostic.code = log::words_of(found.entry.kind).code;
     diagnostic.span = found.place.span;
     diagnostic.message = log::message(found.entry, found.place, context) + told_of(found.entry, program);
     log::hint(found.entry, found.place, context, diagnostic);

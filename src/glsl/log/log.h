@@ -1,6 +1,7 @@
 // Inside explain_log: what drivers write, read into one form; no GL here.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -124,10 +125,14 @@ std::string user_name(std::string_view translated, std::string_view user);
 // The same for every name in a message.
 std::string user_words(std::string_view message, std::string_view user);
 
-// The parameters of a GLSL function that always takes as many ("x, y, a"); empty for others.
-std::string_view builtin_parameters(std::string_view function);
-// Names of functions and variables that GLSL itself offers.
-const std::vector<std::string_view>& builtin_names();
+// What is said of an error of a kind.
+struct KindWords {
+    Kind kind;
+    std::string_view code;
+    std::array<std::string_view, 3> messages = {};  // see words.cpp
+    std::string_view help = {};                     // where it is the same for all
+};
+const KindWords& words_of(Kind kind);
 
 // Where an entry stands in the user's text.
 struct Place {

@@ -1,9 +1,9 @@
 // From the place that a driver names in the translated text to the user's own.
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <set>
 
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 
 namespace snell::glsl::log {
@@ -23,10 +23,7 @@ bool is_numbering(std::string_view row) {
 std::vector<Row> rows_of(std::string_view text) {
     std::vector<Row> rows;
     int at_string = 0, at_line = 1;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string_view row = text.substr(begin, end - begin);
-        begin = end + 1;
+    for (const std::string_view row : split(text, '\n')) {
         if (!is_numbering(row)) {
             rows.push_back({row, at_string, at_line++});
             continue;

@@ -1,10 +1,10 @@
 // Lines of drivers' logs → entries.
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <optional>
 #include <utility>
 
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 
 namespace snell::glsl::log {
@@ -37,10 +37,8 @@ private:
 };
 
 std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '\0'; };
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-    return text;
+    using namespace std::string_view_literals;
+    return snell::trimmed(text, " \t\r\n\v\f\0"sv);
 }
 
 bool take_severity(Reader& reader, Entry& entry) {

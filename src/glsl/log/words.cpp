@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <utility>
 
-#include "parser/text/article.h"
+#include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 #include "src/glsl/read/legacy.h"
 #include "src/glsl/read/lexer.h"
@@ -15,20 +15,11 @@ namespace snell::glsl::log {
 namespace {
 
 constexpr std::string_view prefix = "snell_";
-
-std::string pair_message(std::string_view a, std::string_view b, std::string_view with, std::string_view without) {
-    if (a.empty() || b.empty()) return std::string(without);
-    return fmt::format(fmt::runtime(with), a, b);
-}
+constexpr std::string_view count_components = "count the components: a vec4 takes four floats, or a vec3 and a float";
 
 // "an 'int'"; nothing for nothing.
 std::string with_article(std::string_view type) {
     return type.empty() ? std::string() : fmt::format("{} '{}'", article(type), type);
-}
-
-std::string named_message(std::string_view name, std::string_view with, std::string_view without) {
-    if (name.empty()) return std::string(without);
-    return fmt::format(fmt::runtime(with), name);
 }
 
 // "unexpected NEW_IDENTIFIER, expecting ',' or ';'": what is expected, unless it is in the driver's own words.
@@ -66,74 +57,76 @@ std::string driver_message(const Entry& entry, std::string_view user) {
     return text;
 }
 
-std::string type_message(const Entry& entry, std::string_view name) {
-    switch (entry.kind) {
-        case Kind::convert:
-            return pair_message(with_article(entry.a), with_article(entry.b), "{} cannot be assigned to {}",
-                                "the value has another type than what it is assigned to");
-        case Kind::returns:
-            if (entry.a.empty() && !entry.b.empty()) return fmt::format("the value returned is no '{}'", entry.b);
-            return pair_message(entry.a, entry.b, "this returns a '{}' from a function of type '{}'",
-                                "the value returned has another type than the function");
-        case Kind::condition:
-            return "a condition must be true or false";
-        case Kind::operands:
-            return pair_message(entry.a, entry.b, "a '{}' and a '{}' do not fit each other here",
-                                "the types of the two operands do not fit each other");
-        case Kind::no_overload:
-            if (entry.b.empty()) return named_message(name, "no function '{}' takes these arguments", "");
-            return fmt::format("no function '{}' takes ({})", name, entry.b);
-        case Kind::few_arguments:
-            return "too few arguments for this function";
-        case Kind::many_arguments:
-            return "too many arguments for this function";
-        case Kind::constructor_few:
-            return named_message(name, "too few components for a '{}'", "too few components");
-        case Kind::constructor_many:
-            return named_message(name, "too many components for a '{}'", "too many components");
-        default:
-            return {};
-    }
-}
+// In each row, the first message counts whose words the driver gave: the user's name for `a`, a and b themselves, and
+// both with their articles.
+constexpr KindWords kind_words[]{
+    {Kind::undeclared, "glsl-undeclared", {"'{name}' is not declared"}},
+    {Kind::no_function, "glsl-call", {"there is no function '{name}'", "this is not a function"}},
+    {Kind::no_overload,
+     "glsl-call",
+     {"no function '{name}' takes ({b})", "no function '{name}' takes these arguments"}},
+    {Kind::few_arguments, "glsl-call", {"too few arguments for this function"}},
+    {Kind::many_arguments, "glsl-call", {"too many arguments for this function"}},
+    {Kind::convert,
+     "glsl-type",
+     {"{an_a} cannot be assigned to {an_b}", "the value has another type than what it is assigned to"}},
+    {Kind::returns,
+     "glsl-type",
+     {"this returns a '{a}' from a function of type '{b}'", "the value returned is no '{b}'",
+      "the value returned has another type than the function"}},
+    {Kind::operands,
+     "glsl-type",
+     {"a '{a}' and a '{b}' do not fit each other here", "the types of the two operands do not fit each other"},
+     "both sides need the same number of components: '.xyz' of a vec4 goes with a vec3"},
+    {Kind::condition, "glsl-type", {"a condition must be true or false"}},
+    {Kind::constructor_few, "glsl-type", {"too few components for a '{name}'", "too few components"}, count_components},
+    {Kind::constructor_many,
+     "glsl-type",
+     {"too many components for a '{name}'", "too many components"},
+     count_components},
+    {Kind::swizzle, "glsl-type", {"'.{name}' asks for components that the value does not have"}},
+    {Kind::redeclared, "glsl-redeclared", {"'{name}' is declared twice"}},
+    {Kind::read_only, "glsl-read-only", {"'{name}' cannot be assigned to", "this cannot be assigned to"}},
+    {Kind::not_constant, "glsl-not-constant", {"the initial value must be a constant expression"}},
+    {Kind::syntax, "glsl-syntax"},
+    {Kind::end_of_file, "glsl-syntax", {"the text ends in the middle of a block or statement"}},
+    {Kind::if_unfinished, "glsl-syntax", {"an #if, #ifdef or #ifndef has no #endif"}},
+    {Kind::no_return, "glsl-no-return", {"function '{name}' returns no value"}, "end it with 'return …;'"},
+    {Kind::needs_version,
+     "glsl-version",
+     {"'{name}' needs a newer version of GLSL"},
+     "write '#version 330 compatibility' as the first line"},
+    {Kind::no_main, "glsl-no-main", {"there is no function 'main'"}},
+    {Kind::no_body, "glsl-no-body", {"function '{name}' is declared but has no body"}},
+    {Kind::not_written, "glsl-interface", {"input '{name}' is not written by the stage before"}},
+    {Kind::types_differ, "glsl-interface"},
+    {Kind::other, "glsl-driver"},
+};
 
-std::string name_message(const Entry& entry, std::string_view name) {
-    switch (entry.kind) {
-        case Kind::undeclared:
-            return fmt::format("'{}' is not declared", name);
-        case Kind::no_function:
-            return named_message(name, "there is no function '{}'", "this is not a function");
-        case Kind::swizzle:
-            return fmt::format("'.{}' asks for components that the value does not have", name);
-        case Kind::redeclared:
-            return fmt::format("'{}' is declared twice", name);
-        case Kind::read_only:
-            return named_message(name, "'{}' cannot be assigned to", "this cannot be assigned to");
-        case Kind::not_constant:
-            return "the initial value must be a constant expression";
-        case Kind::no_return:
-            return fmt::format("function '{}' returns no value", name);
-        case Kind::needs_version:
-            return fmt::format("'{}' needs a newer version of GLSL", name);
-        case Kind::end_of_file:
-            return "the text ends in the middle of a block or statement";
-        case Kind::if_unfinished:
-            return "an #if, #ifdef or #ifndef has no #endif";
-        case Kind::no_main:
-            return "there is no function 'main'";
-        case Kind::no_body:
-            return fmt::format("function '{}' is declared but has no body", name);
-        case Kind::not_written:
-            return fmt::format("input '{}' is not written by the stage before", name);
-        default:
-            return {};
+// Empty if the driver's words are all there is.
+std::string kind_message(const Entry& entry, std::string_view name) {
+    const std::string an_a = with_article(entry.a), an_b = with_article(entry.b);
+    const std::pair<std::string_view, std::string_view> words[]{
+        {"{name}", name}, {"{a}", entry.a}, {"{b}", entry.b}, {"{an_a}", an_a}, {"{an_b}", an_b}};
+    for (const std::string_view form : words_of(entry.kind).messages) {
+        const bool known = ranges::none_of(
+            words, [&](const auto& word) { return word.second.empty() && form.find(word.first) != form.npos; });
+        if (!form.empty() && known)
+            return fmt::format(fmt::runtime(form), fmt::arg("name", name), fmt::arg("a", entry.a),
+                               fmt::arg("b", entry.b), fmt::arg("an_a", an_a), fmt::arg("an_b", an_b));
     }
+    return {};
 }
 
 }  // namespace
 
+const KindWords& words_of(Kind kind) {
+    const auto* found = ranges::find(kind_words, kind, &KindWords::kind);
+    return found == std::end(kind_words) ? std::end(kind_words)[-1] : *found;
+}
+
 std::optional<Stage> stage_in(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string lower = lowered(text);
     std::optional<Stage> found;
     std::size_t first = std::string::npos;
     for (int i = 0; i < stage_count; ++i) {
@@ -198,11 +191,7 @@ std::string message(const Entry& entry, const Place& place, const Context& conte
     const std::string_view line = place.known ? context.sources.line(place.file, place.line) : std::string_view();
     const std::string name = user_name(entry.a, line);
     if (entry.kind == Kind::syntax) return syntax_message(entry, place, context);
-    if (entry.kind != Kind::other && entry.kind != Kind::types_differ) {
-        std::string text = type_message(entry, name);
-        if (text.empty()) text = name_message(entry, name);
-        if (!text.empty()) return text;
-    }
+    if (std::string text = kind_message(entry, name); !text.empty()) return text;
     return driver_message(entry, place.known ? context.sources.text(place.file) : std::string_view());
 }
 

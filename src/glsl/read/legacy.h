@@ -1,7 +1,6 @@
 // The built-in variables of every GLSL: which stand in a core profile, and what stands for the others.
 #pragma once
 
-#include <span>
 #include <string_view>
 
 #include "src/glsl/read/token.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "parser/text/words.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl {
@@ -85,7 +86,7 @@ std::optional<MacroArguments> read_arguments(const std::vector<MacroToken>& in, 
 std::string misuse(std::string_view name, const Macro& macro, const MacroArguments& arguments) {
     const std::size_t takes = macro.parameters.size(), given = arguments.each.size();
     if (takes == given || (takes == 0 && given == 1 && arguments.each.front().empty())) return {};
-    return fmt::format("the macro '{}' takes {} argument{}, not {}", name, takes, takes == 1 ? "" : "s", given);
+    return fmt::format("the macro '{}' takes {}, not {}", name, counted(takes, "argument"), given);
 }
 
 }  // namespace

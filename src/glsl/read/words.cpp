@@ -1,7 +1,5 @@
 #include "src/glsl/read/words.h"
 
-#include <algorithm>
-#include <array>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -80,6 +78,36 @@ const Types& types() {
     return table;
 }
 
+std::string zero_within(std::span<const Struct> structs, const Type& type, int& budget) {
+    if (budget <= 0 || type.dims > 1 || (type.dims == 1 && type.size <= 0)) return {};
+    if (type.dims == 1) {
+        Type element = type;
+        element.dims = 0;
+        std::string all;
+        for (int i = 0; i < type.size; ++i) {
+            const std::string one = zero_within(structs, element, budget);
+            if (one.empty()) return {};
+            all += (i ? ", " : "") + one;
+        }
+        const std::string_view name = type.base == Base::structure && type.structure >= 0
+                                          ? structs[static_cast<std::size_t>(type.structure)].name
+                                          : type_name(type.base, type.rows, type.cols);
+        return std::string(name) + "[" + std::to_string(type.size) + "](" + all + ")";
+    }
+    --budget;
+    if (type.basic()) return zero(type);
+    if (type.base != Base::structure || type.structure < 0) return {};
+    const Struct& s = structs[static_cast<std::size_t>(type.structure)];
+    if (s.name.empty() || s.members.empty()) return {};
+    std::string all;
+    for (const Member& m : s.members) {
+        const std::string one = zero_within(structs, m.type, budget);
+        if (one.empty()) return {};
+        all += (all.empty() ? "" : ", ") + one;
+    }
+    return std::string(s.name) + "(" + all + ")";
+}
+
 }  // namespace
 
 std::string_view type_name(Base base, int rows, int cols) {
@@ -137,9 +165,9 @@ bool is_language_word(std::string_view word) {
 }
 
 std::string_view stage_name(Stage stage) {
-    constexpr std::string_view names[] = {"vertex", "tessellation control", "tessellation evaluation", "geometry",
+    constexpr std::string_view words[] = {"vertex", "tessellation control", "tessellation evaluation", "geometry",
                                           "fragment"};
-    return names[static_cast<std::size_t>(stage)];
+    return words[static_cast<std::size_t>(stage)];
 }
 
 int precedence(std::string_view op) {
@@ -213,40 +241,6 @@ std::string zero(const Type& type) {
     return std::string(type_name(type.base, type.rows, type.cols)) + "(" +
            (type.base == Base::boolean ? "false" : "0") + (type.floating() ? ".0)" : ")");
 }
-
-namespace {
-
-std::string zero_within(std::span<const Struct> structs, const Type& type, int& budget) {
-    if (budget <= 0 || type.dims > 1 || (type.dims == 1 && type.size <= 0)) return {};
-    if (type.dims == 1) {
-        Type element = type;
-        element.dims = 0;
-        std::string all;
-        for (int i = 0; i < type.size; ++i) {
-            const std::string one = zero_within(structs, element, budget);
-            if (one.empty()) return {};
-            all += (i ? ", " : "") + one;
-        }
-        const std::string_view name = type.base == Base::structure && type.structure >= 0
-                                          ? structs[static_cast<std::size_t>(type.structure)].name
-                                          : type_name(type.base, type.rows, type.cols);
-        return std::string(name) + "[" + std::to_string(type.size) + "](" + all + ")";
-    }
-    --budget;
-    if (type.basic()) return zero(type);
-    if (type.base != Base::structure || type.structure < 0) return {};
-    const Struct& s = structs[static_cast<std::size_t>(type.structure)];
-    if (s.name.empty() || s.members.empty()) return {};
-    std::string all;
-    for (const Member& m : s.members) {
-        const std::string one = zero_within(structs, m.type, budget);
-        if (one.empty()) return {};
-        all += (all.empty() ? "" : ", ") + one;
-    }
-    return std::string(s.name) + "(" + all + ")";
-}
-
-}  // namespace
 
 std::string zero_of(std::span<const Struct> structs, const Type& type) {
     int budget = 65;

@@ -1,6 +1,5 @@
 // Which vertex attribute a vertex shader's input means.
 #include <algorithm>
-#include <charconv>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -62,6 +61,24 @@ std::string value_as(Attribute a, const Type& type) {
     return type.base == Base::real ? components : type_text + "(" + components + ")";
 }
 
+int location_of(const Global& g) { return g.qualifiers.layout_number("location"); }
+
+// Colours that the shader does not write are zero, instead of what another program has left.
+void give_colors(Unit& u, const std::vector<Global*>& outputs, int targets) {
+    for (const Global* g : outputs)
+        if (g->type.dims > 0) return;
+    if (outputs.size() == 1 && !outputs.front()->written)
+        at_main_start(u, std::string(u.now(outputs.front()->name_token)) + " = " + zero(outputs.front()->type) + ";");
+    for (int n = 0; n < targets; ++n) {
+        const bool there = ranges::any_of(outputs, [&](const Global* g) {
+            return std::max(location_of(*g), 0) == n && (g->written || outputs.size() == 1);
+        });
+        const std::string name = "snell_Unwritten" + std::to_string(n);
+        if (there || !at_main_start(u, name + " = vec4(0.0);")) continue;
+        declare_once(u, name, "layout(location = " + std::to_string(n) + ") out vec4 " + name + ";");
+    }
+}
+
 }  // namespace
 
 std::optional<Attribute> attribute_of(const Global& input) {
@@ -115,28 +132,6 @@ void assign_attributes(Program& program, Unit& u) {
         at_main_start(u, name + " = " + value + ";", g.name_token);
     }
 }
-
-namespace {
-
-int location_of(const Global& g) { return g.qualifiers.layout_number("location"); }
-
-// Colours that the shader does not write are zero, instead of what another program has left.
-void give_colors(Unit& u, const std::vector<Global*>& outputs, int targets) {
-    for (const Global* g : outputs)
-        if (g->type.dims > 0) return;
-    if (outputs.size() == 1 && !outputs.front()->written)
-        at_main_start(u, std::string(u.now(outputs.front()->name_token)) + " = " + zero(outputs.front()->type) + ";");
-    for (int n = 0; n < targets; ++n) {
-        const bool there = ranges::any_of(outputs, [&](const Global* g) {
-            return std::max(location_of(*g), 0) == n && (g->written || outputs.size() == 1);
-        });
-        const std::string name = "snell_Unwritten" + std::to_string(n);
-        if (there || !at_main_start(u, name + " = vec4(0.0);")) continue;
-        declare_once(u, name, "layout(location = " + std::to_string(n) + ") out vec4 " + name + ";");
-    }
-}
-
-}  // namespace
 
 void assign_outputs(Program& program, Unit& u) {
     const bool legacy = mentions(u, "gl_FragColor") || mentions(u, "gl_FragData");

@@ -43,27 +43,6 @@ bool depends(const Unit& u, std::size_t at) {
            word.find("Projection") != std::string_view::npos;
 }
 
-}  // namespace
-
-bool has_plain_depth(Program& program) {
-    if (program.units.size() != 2) return false;
-    const Unit* vertex = program.find(Stage::vertex);
-    if (!vertex || vertex->legacy_written.contains("gl_Vertex")) return false;
-    int positions = 0;
-    for (const Unit& u : program.units)
-        for (std::size_t at = 0; at < u.tokens.size(); ++at) {
-            if (&u == vertex && is_plain_position(u, at)) {
-                ++positions;
-                while (u.tokens[at].text != ";") ++at;
-            } else if (u.tokens[at].kind == Kind::identifier && depends(u, at)) {
-                return false;
-            }
-        }
-    return positions == 1;
-}
-
-namespace {
-
 const Global* used_at(const Unit& u, std::size_t at, Storage storage) {
     for (const Global& g : u.globals)
         if (g.qualifiers.storage == storage && !g.written && g.type.base == Base::real && g.type.dims == 0 &&
@@ -102,6 +81,23 @@ bool writes_memory(const Token& token) {
 }
 
 }  // namespace
+
+bool has_plain_depth(Program& program) {
+    if (program.units.size() != 2) return false;
+    const Unit* vertex = program.find(Stage::vertex);
+    if (!vertex || vertex->legacy_written.contains("gl_Vertex")) return false;
+    int positions = 0;
+    for (const Unit& u : program.units)
+        for (std::size_t at = 0; at < u.tokens.size(); ++at) {
+            if (&u == vertex && is_plain_position(u, at)) {
+                ++positions;
+                while (u.tokens[at].text != ";") ++at;
+            } else if (u.tokens[at].kind == Kind::identifier && depends(u, at)) {
+                return false;
+            }
+        }
+    return positions == 1;
+}
 
 std::string placed_by(Program& program) {
     const Unit* vertex = program.find(Stage::vertex);

@@ -101,6 +101,46 @@ std::string define_lines(const Program& program, const Unit& u) {
     return lines;
 }
 
+// What main is called where a new one calls it. A text that was translated before may have such functions.
+std::string inner_main(const Unit& u) {
+    std::string name = "snell_main";
+    for (int n = 2; user_function(u, name); ++n) name = "snell_main" + std::to_string(n);
+    return name;
+}
+
+bool wrap_main(Unit& u) {
+    const Function* main = find_main(u);
+    if (!main) return false;
+    if (!u.trailer.empty()) return true;
+    u.replace(main->name_token, inner_main(u));
+    u.trailer = "void main() { " + inner_main(u) + "(); }\n";
+    return true;
+}
+
+// The budget bounds the number of statements, because structures of structures multiply.
+std::string zero_statements(const Unit& u, const std::string& variable, const Type& type, int& budget) {
+    if (budget-- <= 0) return {};
+    if (type.dims > 0) {
+        if (type.size < 0) return {};  // it has as many elements as constants index
+        Type element = type;
+        --element.dims;
+        element.size = 1;  // known to the driver
+        const std::string index = "snell_" + std::to_string(type.dims);
+        const std::string each = zero_statements(u, variable + "[" + index + "]", element, budget);
+        return each.empty() ? each
+                            : "for (int " + index + " = 0; " + index + " < " + variable + ".length(); ++" + index +
+                                  ") { " + each + " }";
+    }
+    if (type.base == Base::structure && type.structure >= 0) {
+        std::string all;
+        for (const Member& m : u.structure(type).members)
+            if (budget > 0) all += zero_statements(u, variable + "." + std::string(m.name), m.type, budget) + " ";
+        return all;
+    }
+    if (!type.basic()) return {};
+    return variable + " = " + zero(type) + ";";
+}
+
 }  // namespace
 
 std::string render(const Unit& u, int first, int last) {
@@ -187,26 +227,6 @@ bool at_main_start(Unit& u, std::string_view statement, int declared) {
     return true;
 }
 
-namespace {
-
-// What main is called where a new one calls it. A text that was translated before may have such functions.
-std::string inner_main(const Unit& u) {
-    std::string name = "snell_main";
-    for (int n = 2; user_function(u, name); ++n) name = "snell_main" + std::to_string(n);
-    return name;
-}
-
-bool wrap_main(Unit& u) {
-    const Function* main = find_main(u);
-    if (!main) return false;
-    if (!u.trailer.empty()) return true;
-    u.replace(main->name_token, inner_main(u));
-    u.trailer = "void main() { " + inner_main(u) + "(); }\n";
-    return true;
-}
-
-}  // namespace
-
 void at_main_end(Unit& u, std::string_view statement) {
     if (wrap_main(u)) u.trailer.insert(u.trailer.size() - 2, std::string(statement) + " ");
 }
@@ -216,34 +236,6 @@ void declare_before_main(Unit& u, std::string_view declarations, std::string_vie
     u.trailer.insert(u.trailer.find(inner_main(u) + "();"), statements);
     u.trailer.insert(0, declarations);
 }
-
-namespace {
-
-// The budget bounds the number of statements, because structures of structures multiply.
-std::string zero_statements(const Unit& u, const std::string& variable, const Type& type, int& budget) {
-    if (budget-- <= 0) return {};
-    if (type.dims > 0) {
-        if (type.size < 0) return {};  // it has as many elements as constants index
-        Type element = type;
-        --element.dims;
-        element.size = 1;  // known to the driver
-        const std::string index = "snell_" + std::to_string(type.dims);
-        const std::string each = zero_statements(u, variable + "[" + index + "]", element, budget);
-        return each.empty() ? each
-                            : "for (int " + index + " = 0; " + index + " < " + variable + ".length(); ++" + index +
-                                  ") { " + each + " }";
-    }
-    if (type.base == Base::structure && type.structure >= 0) {
-        std::string all;
-        for (const Member& m : u.structure(type).members)
-            if (budget > 0) all += zero_statements(u, variable + "." + std::string(m.name), m.type, budget) + " ";
-        return all;
-    }
-    if (!type.basic()) return {};
-    return variable + " = " + zero(type) + ";";
-}
-
-}  // namespace
 
 std::string set_zero(const Unit& u, const std::string& variable, const Type& type) {
     int budget = 1000;  // OpenGL passes fewer components between stages

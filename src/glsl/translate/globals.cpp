@@ -1,6 +1,5 @@
 // Global variables: initialisers that are no constants, and declarations as the target wants them.
 #include <algorithm>
-#include <charconv>
 
 #include "parser/text/ranges.h"
 #include "src/glsl/read/legacy.h"

@@ -1,5 +1,4 @@
 // Repairs of single words, before the parse.
-#include <algorithm>
 #include <map>
 #include <set>
 

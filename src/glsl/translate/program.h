@@ -1,7 +1,6 @@
 // The steps from parsed stages to translated ones; translate.cpp runs them in the order of this file.
 #pragma once
 
-#include <map>
 #include <optional>
 
 #include "src/glsl/read/token.h"

@@ -101,6 +101,29 @@ void first_stream(const Program& program, Unit& u) {
         }
 }
 
+// Where the expression that begins at `i` ends: its last token.
+int expression_end(const Unit& u, int i) {
+    for (int depth = 0; u.at(i).kind != Kind::end; ++i) {
+        const std::string_view t = u.at(i).text;
+        const bool opens = t == "(" || t == "[" || t == "{", closes = t == ")" || t == "]" || t == "}";
+        if (depth == 0 && (closes || t == ";" || t == ",")) break;
+        depth += opens ? 1 : closes ? -1 : 0;
+    }
+    return i - 1;
+}
+
+// name[index] = value → set(int(index), value)
+void set_level(Unit& u, int name, const std::string& set) {
+    const int index = expression_end(u, name + 2), op = index + 2, value = expression_end(u, op + 1);
+    const std::string level = std::string(u.at(name).text) + "[" + render(u, name + 2, index) + "]";
+    const std::string_view how = u.at(op).text;
+    u.replace(name, set);
+    u.replace(name + 1, "(int(");
+    u.replace(index + 1, ")");
+    u.replace(op, how == "=" ? "," : ", " + level + " " + how[0] + " (");
+    u.edit(value).after.insert(0, how == "=" ? ")" : "))");
+}
+
 }  // namespace
 
 std::string default_vertex_shader(Program& program) {
@@ -146,33 +169,6 @@ void complete_geometry(Program& program, Unit& u) {
     if (!has_output) u.header += "layout(" + output_primitive(program.options) + ") out;\n";
     if (!has_count) u.header += "layout(max_vertices = " + std::to_string(most_vertices(u)) + ") out;\n";
 }
-
-namespace {
-
-// Where the expression that begins at `i` ends: its last token.
-int expression_end(const Unit& u, int i) {
-    for (int depth = 0; u.at(i).kind != Kind::end; ++i) {
-        const std::string_view t = u.at(i).text;
-        const bool opens = t == "(" || t == "[" || t == "{", closes = t == ")" || t == "]" || t == "}";
-        if (depth == 0 && (closes || t == ";" || t == ",")) break;
-        depth += opens ? 1 : closes ? -1 : 0;
-    }
-    return i - 1;
-}
-
-// name[index] = value → set(int(index), value)
-void set_level(Unit& u, int name, const std::string& set) {
-    const int index = expression_end(u, name + 2), op = index + 2, value = expression_end(u, op + 1);
-    const std::string level = std::string(u.at(name).text) + "[" + render(u, name + 2, index) + "]";
-    const std::string_view how = u.at(op).text;
-    u.replace(name, set);
-    u.replace(name + 1, "(int(");
-    u.replace(index + 1, ")");
-    u.replace(op, how == "=" ? "," : ", " + level + " " + how[0] + " (");
-    u.edit(value).after.insert(0, how == "=" ? ")" : "))");
-}
-
-}  // namespace
 
 // llvmpipe takes the element of one invocation for all of them (Mesa 22.3).
 void choose_levels(Unit& u) {

@@ -1,6 +1,5 @@
 // Structures without a name, and those that are declared inside structures, which GLSL 1.10 has and later versions have
 // not.
-#include <algorithm>
 
 #include "parser/text/ranges.h"
 #include "src/glsl/translate/program.h"

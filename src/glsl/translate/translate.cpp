@@ -84,21 +84,6 @@ void want_extensions(const Target& target, Unit& u) {
     if (doubles && target.fp64) u.wanted_extensions.emplace_back("GL_ARB_gpu_shader_fp64");
 }
 
-}  // namespace
-
-// Where the scene's size counts and not the shader's, as PointSizeMode says, it is above 0.
-void give_point_size(Unit& vertex) {
-    if (mentions(vertex, "snell_PointSize") || mentions(vertex, "snell_FixedPointSize")) return;  // translated before
-    if (mentions(vertex, "gl_PointSize")) {
-        declare_once(vertex, "snell_FixedPointSize", "uniform float snell_FixedPointSize;");
-        return at_main_end(vertex, "if (snell_FixedPointSize > 0.0) gl_PointSize = snell_FixedPointSize;");
-    }
-    declare_once(vertex, "snell_PointSize", "uniform float snell_PointSize;");
-    at_main_end(vertex, "gl_PointSize = snell_PointSize;");
-}
-
-namespace {
-
 // Says where a stage has the name first, if it does.
 void refuse(const Program& program, const Unit& u, std::string_view name, const char* code, std::string message,
             std::string help) {
@@ -132,6 +117,17 @@ void refuse_late_features(const Program& program) {
 }
 
 }  // namespace
+
+// Where the scene's size counts and not the shader's, as PointSizeMode says, it is above 0.
+void give_point_size(Unit& vertex) {
+    if (mentions(vertex, "snell_PointSize") || mentions(vertex, "snell_FixedPointSize")) return;  // translated before
+    if (mentions(vertex, "gl_PointSize")) {
+        declare_once(vertex, "snell_FixedPointSize", "uniform float snell_FixedPointSize;");
+        return at_main_end(vertex, "if (snell_FixedPointSize > 0.0) gl_PointSize = snell_FixedPointSize;");
+    }
+    declare_once(vertex, "snell_PointSize", "uniform float snell_PointSize;");
+    at_main_end(vertex, "gl_PointSize = snell_PointSize;");
+}
 
 Translation translate(const std::vector<StageInput>& stages, Sources& sources, const Options& options,
                       Diagnostics& diagnostics) {

@@ -102,7 +102,6 @@ std::vector<Span> definition(const Project& project, FileId file, std::uint32_t 
 
 namespace {
 
-using What = Named::What;
 using Role = ShaderToken::Role;
 
 bool holds(const Span& span, FileId file, std::uint32_t offset) {

@@ -31,9 +31,8 @@ std::string placeholder(const Parameter& p, int number) {
 std::string snippet(const Command& command, std::size_t alternative) {
     std::string text(command.name);
     if (command.name == "Program") return "Program ${1:Name}  $0";
-    if (command.name == "glBegin") {
+    if (command.name == "glBegin")
         return fmt::format("glBegin ${{1|{}|}}\n$0\nglEnd", fmt::join(topology_names(), ","));
-    }
     if (command.name == "PushMatrix") return "PushMatrix\n$0\nPopMatrix";
     int number = 1;
     for (std::size_t i = 0; i < command.signature.parameter_count(alternative); ++i) {

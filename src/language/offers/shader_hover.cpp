@@ -140,8 +140,6 @@ std::optional<Hover> shader_hover(Texts& texts, FileId file, std::uint32_t offse
 
 namespace {
 
-using Kind = ShaderDeclaration::Kind;
-
 // A label whose parameters are between its parentheses.
 Signature with_parameters(std::string label, std::string documentation) {
     Signature made{std::move(label), std::move(documentation), {}};

@@ -1,7 +1,6 @@
 // The statements of a scene as they are written, and which argument a place of them is.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>

@@ -64,9 +64,7 @@ private:
         token.in_directive = in_directive;
         token.begin = static_cast<std::uint32_t>(at);
         token.end = static_cast<std::uint32_t>(std::min(end, at + std::max<std::size_t>(lexeme.text.size(), 1)));
-        if (lexeme.kind == glsl::Kind::identifier) {
-            token.role = is_word(lexeme.text) ? Role::word : Role::global;
-        }
+        if (lexeme.kind == glsl::Kind::identifier) token.role = is_word(lexeme.text) ? Role::word : Role::global;
         if (in_directive && lexeme.text == "##") outline_.pastes = true;
         if (lexeme.kind == glsl::Kind::identifier && goes_on(token.end)) outline_.splits = true;
         outline_.tokens.push_back(token);

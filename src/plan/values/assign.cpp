@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -21,10 +19,8 @@ std::optional<double> number(std::string_view text) {
     if (word == "true" || word == "on" || word == "yes") return 1;
     if (word == "false" || word == "off" || word == "no") return 0;
     if (text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+') text.remove_prefix(1);
-    double value = 0;
-    const auto [end, error] = read_real(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-    return value;
+    const auto value = read_whole<double>(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 // Whether the word is a number that no type holds.
@@ -114,13 +110,10 @@ std::optional<Selected> part_of(const Control& control, std::string_view ending)
     }
     if (ending.size() < 3 || ending.front() != '[' || ending.back() != ']' || control.array_size < 2)
         return std::nullopt;
-    std::size_t index = 0;
-    const char* const last = ending.data() + ending.size() - 1;
-    const auto [end, error] = std::from_chars(ending.data() + 1, last, index);
-    if (error != std::errc() || end != last || index >= static_cast<std::size_t>(control.array_size))
-        return std::nullopt;
+    const auto index = read_whole<std::size_t>(ending.substr(1, ending.size() - 2));
+    if (!index || *index >= static_cast<std::size_t>(control.array_size)) return std::nullopt;
     const auto each = static_cast<std::size_t>(control.components);
-    return Selected{each * index, each};
+    return Selected{each * *index, each};
 }
 
 // What `name` means: whole uniforms; else a component or an element of them.
@@ -138,16 +131,14 @@ std::vector<Target> targets_of(Controls& controls, const Scene& scene, std::stri
 void report_unknown(const Controls& controls, const Scene& scene, std::string_view name, Diagnostics& diagnostics) {
     std::vector<std::string> full;
     for (const Control& control : controls.items) {
-        if (control.program < scene.programs.size()) {
+        if (control.program < scene.programs.size())
             full.push_back(scene.programs[control.program].name + '.' + control.name);
-        }
     }
     std::vector<std::string_view> names;
     for (const Control& control : controls.items) names.push_back(control.name);
     std::string_view near = nearest(name, names);
-    if (near.empty() && name.find('.') != std::string_view::npos) {
+    if (near.empty() && name.find('.') != std::string_view::npos)
         near = nearest(name, std::vector<std::string_view>(full.begin(), full.end()));
-    }
     std::string help = near.empty() ? std::string() : fmt::format("did you mean '{}'?", near);
     for (const Control& control : controls.items)
         if (control.array_size > 1 && name.ends_with(']') && name.find(control.name + "[") != std::string_view::npos)
@@ -196,10 +187,6 @@ void assign(Control& control, std::vector<double> values) {
     }
     control.value = std::move(values);
 }
-
-}  // namespace
-
-namespace {
 
 // The number of elements of an array whose elements have controls of their own; 0: the name is none's.
 std::size_t elements_of(Controls& controls, const Scene& scene, std::string_view name) {

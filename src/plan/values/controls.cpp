@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <unordered_map>
 
-#include "parser/text/article.h"
+#include "parser/text/number.h"
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/glsl/read/lexer.h"
 #include "src/plan/values/declared.h"
@@ -52,13 +52,10 @@ struct Element {
 Element find_element(const std::vector<ActiveUniform>& active, std::string_view name) {
     const std::size_t bracket = name.rfind('[');
     if (bracket == std::string_view::npos || name.back() != ']') return {};
-    const std::string_view digits = name.substr(bracket + 1, name.size() - bracket - 2);
-    std::size_t index = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-    if (error != std::errc() || end != digits.data() + digits.size()) return {};
+    const auto index = read_whole<std::size_t>(name.substr(bracket + 1, name.size() - bracket - 2));
     const ActiveUniform* array = find_active(active, name.substr(0, bracket));
-    if (array == nullptr || array->array_size < 2 || index >= static_cast<std::size_t>(array->array_size)) return {};
-    return {array, index};
+    if (!index || !array || array->array_size < 2 || *index >= static_cast<std::size_t>(array->array_size)) return {};
+    return {array, *index};
 }
 
 // True for <true>, false for <1>: the first makes a check box, the second is a constant unless the uniform is a bool.
@@ -134,12 +131,10 @@ private:
         const std::vector<double> values = range ? std::vector{written.values[1]} : written.values;
         const auto each = static_cast<std::size_t>(control->components);
         const std::size_t first = each * element.index, room = control->value.size() - first;
-        if (values.empty() || values.size() > room || values.size() % each != 0) {
+        if (values.empty() || values.size() > room || values.size() % each != 0)
             report_count(written, array, each, values.size());
-        }
-        for (std::size_t i = 0; i < std::min(values.size(), room); ++i) {
+        for (std::size_t i = 0; i < std::min(values.size(), room); ++i)
             control->value[first + i] = typed(*control, values[i], written, array);
-        }
         control->initial = control->value;
     }
 
@@ -296,12 +291,9 @@ private:
     // Copies as many of `values` as the control has room for, converted to the uniform's type.
     void fit_values(Control& control, const std::vector<double>& values, const UniformValue& written,
                     const ActiveUniform& uniform) {
-        if (values.size() != control.value.size()) {
-            report_count(written, uniform, control.value.size(), values.size());
-        }
-        for (std::size_t i = 0; i < std::min(values.size(), control.value.size()); ++i) {
+        if (values.size() != control.value.size()) report_count(written, uniform, control.value.size(), values.size());
+        for (std::size_t i = 0; i < std::min(values.size(), control.value.size()); ++i)
             control.value[i] = typed(control, values[i], written, uniform);
-        }
     }
 
     void report_count(const UniformValue& written, const ActiveUniform& uniform, std::size_t takes, std::size_t given) {
@@ -389,9 +381,8 @@ private:
                                    limited.min != range.min ? "below" : "above",
                                    limited.min != range.min ? limited.min : limited.max, limited.min, limited.max));
         }
-        if (limited.min == limited.max) {
+        if (limited.min == limited.max)
             warn_range("range-empty", written, "minimum and maximum are equal, so there is no slider");
-        }
         return {limited.min, range.current, limited.max};
     }
 

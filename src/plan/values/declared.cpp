@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
@@ -21,6 +20,19 @@ bool scene_sets(const Program& program, std::string_view name) {
 bool sampler_of_snell(std::string_view name, std::string_view type) {
     return name == "Noise2" || name == "Noise3" ||
            (type == "sampler2D" && ranges::count(glsl::mesh_samplers, name) > 0);
+}
+
+bool names_color(std::string_view name) { return contains(name, "color") || contains(name, "colour"); }
+
+// Widens the range for values that lie outside of the usual one.
+void widen(Control& control) {
+    for (const double value : control.value) {
+        if (value > control.max) control.max = 2 * value;
+        if (value < control.min) control.min = 2 * value;
+    }
+    const Range range = limit_range({control.min, 0, control.max}, control.type);
+    control.min = range.min;
+    control.max = range.max;
 }
 
 }  // namespace
@@ -132,23 +144,6 @@ Range limit_range(Range range, ValueType type) {
     range.max = std::clamp(range.max, low, high);
     return range;
 }
-
-namespace {
-
-bool names_color(std::string_view name) { return contains(name, "color") || contains(name, "colour"); }
-
-// Widens the range for values that lie outside of the usual one.
-void widen(Control& control) {
-    for (const double value : control.value) {
-        if (value > control.max) control.max = 2 * value;
-        if (value < control.min) control.min = 2 * value;
-    }
-    const Range range = limit_range({control.min, 0, control.max}, control.type);
-    control.min = range.min;
-    control.max = range.max;
-}
-
-}  // namespace
 
 void suggest_widget(Control& control) {
     if (control.array_size > 1) return;

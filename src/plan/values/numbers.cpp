@@ -25,6 +25,10 @@ double read_back(double otherwise, fmt::format_string<Arguments...> format, Argu
     return value;
 }
 
+bool by_ratio(const Track& track) {
+    return track.logarithmic && track.min > 0 && track.max > track.min && std::isfinite(track.max / track.min);
+}
+
 }  // namespace
 
 double tidy(double value, double min, double max, bool fine) {
@@ -61,10 +65,6 @@ std::string shown(double value, double min, double max, bool integral) {
 }
 
 std::string exact(double value) { return fmt::format("{}", value); }
-
-std::string counted(std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 namespace {
 
@@ -164,14 +164,6 @@ std::optional<double> typed(std::string_view text, ValueType type) {
     const std::optional<double> found = evaluated(text);
     return found ? fitting(*found, type) : std::nullopt;
 }
-
-namespace {
-
-bool by_ratio(const Track& track) {
-    return track.logarithmic && track.min > 0 && track.max > track.min && std::isfinite(track.max / track.min);
-}
-
-}  // namespace
 
 // The intermediate results cannot overflow, for any range.
 double fraction_of(double value, const Track& track) {

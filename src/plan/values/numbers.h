@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "parser/text/words.h"
 #include "src/plan/values/controls.h"
 
 namespace snell {
@@ -18,8 +19,6 @@ double tidy(double value, double min, double max, bool fine);
 double tidy_relative(double value, double min, double max, bool fine);
 // Formats a double as the shortest text that reads back to the same value.
 std::string exact(double value);
-// Formats as "1 error" or "2 errors".
-std::string counted(std::size_t count, std::string_view noun);
 // Rounds the component of a colour that was picked to the fewest decimals that give the same byte.
 double tidy_color(double value);
 // Computes the value of a text such as "1/3", "2*pi", "-(1e3-5)" or "0,7", in doubles. Returns nullopt if it is not a

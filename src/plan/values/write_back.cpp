@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -161,11 +160,8 @@ private:
 
 std::optional<std::size_t> element_index(std::string_view name) {
     const std::size_t bracket = name.rfind('[');
-    std::size_t index = 0;
     if (bracket == std::string_view::npos || !name.ends_with(']')) return std::nullopt;
-    const auto [end, error] = std::from_chars(name.data() + bracket + 1, name.data() + name.size() - 1, index);
-    if (error != std::errc() || end != name.data() + name.size() - 1) return std::nullopt;
-    return index;
+    return read_whole<std::size_t>(name.substr(bracket + 1, name.size() - bracket - 2));
 }
 
 // The components that each value of a Program line sets; if two set the same component, the later one counts.

@@ -68,12 +68,6 @@ namespace {
 // GL 4.5, ES 3.2 and KHR_robustness share the name glGetGraphicsResetStatus.
 bool can_ask() { return version() >= (is_desktop() ? 45 : 32) || has_extension("GL_KHR_robustness"); }
 
-}  // namespace
-
-bool lost() { return can_ask() && glGetGraphicsResetStatus() != GL_NO_ERROR; }
-
-namespace {
-
 bool bad(GLenum type, GLenum severity) {
     return type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
            severity == GL_DEBUG_SEVERITY_HIGH;
@@ -85,6 +79,8 @@ void GLAPIENTRY on_message(GLenum, GLenum type, GLuint, GLenum severity, GLsizei
 }
 
 }  // namespace
+
+bool lost() { return can_ask() && glGetGraphicsResetStatus() != GL_NO_ERROR; }
 
 void watch_messages(const MessageReport& report) {
     const bool available = is_desktop() ? version() >= 43 || has_extension("GL_KHR_debug") : version() >= 32;

@@ -3,8 +3,6 @@
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
-#include <utility>
-
 // The tables in which Emscripten keeps the browser's objects by their names in C++.
 // clang-format off
 EM_JS(void, snell_forget_objects, (), {

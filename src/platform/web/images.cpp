@@ -1,5 +1,4 @@
 // Decodes images by stb_image, which a page has in place of libpng and OpenImageIO.
-#include <cstring>
 #include <memory>
 
 #define STB_IMAGE_IMPLEMENTATION

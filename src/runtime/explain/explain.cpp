@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/plan/identity.h"
 #include "src/runtime/explain.h"
@@ -21,7 +22,6 @@ using Kind = Explanation::Kind;
 using Paid = Explanation::Paid;
 using runtime::kind_of;
 using runtime::name_of;
-using runtime::plural;
 using runtime::statement_of;
 using runtime::title_of;
 
@@ -118,7 +118,7 @@ private:
         for (const auto& [mesh, draws] : mesh_draws_) {
             const runtime::GpuMesh& gpu = *impl_.meshes[mesh];
             const MeshRequest& request = impl_.plan.meshes[mesh];
-            Paid paid{Kind::mesh, text_of::shape(scene_, request.shape, request.wire), plural(draws, "draw"),
+            Paid paid{Kind::mesh, text_of::shape(scene_, request.shape, request.wire), counted(draws, "draw"),
                       request.span};
             paid.bytes = gpu.bytes;
             paid.load_ms = gpu.load_ms;
@@ -143,8 +143,8 @@ private:
             paid.load_ms = linked->load_ms;
             for (const auto& [draw, with] : drawn_with_)
                 if (with == linked.get()) paid.draws.push_back(draw);
-            paid.why =
-                paid.draws.empty() ? "no draw; compiled for its sliders and errors" : plural(paid.draws.size(), "draw");
+            paid.why = paid.draws.empty() ? "no draw; compiled for its sliders and errors"
+                                          : counted(paid.draws.size(), "draw");
             runtime::Variant drawn = variant;
             drawn.settled = impl_.settled_values;
             const bool asked = impl_.settled_values != 0 && variant.settled == 0 && linked->settled.empty() &&
@@ -178,7 +178,7 @@ private:
             paid.name = name_of(pass);
             paid.kept = pass.kind == Pass::Kind::cube && !impl_.reads_other_passes(ready);
             paid.why =
-                plural(paid.draws.size(), "draw") + (paid.kept ? ", again when what its faces show changed" : "");
+                counted(paid.draws.size(), "draw") + (paid.kept ? ", again when what its faces show changed" : "");
             if (!window) paid.span = pass.span;
             result_.paid.push_back(std::move(paid));
         }
@@ -232,7 +232,7 @@ private:
             if (ladder.rungs.size() > 1)
                 result_.unused.push_back(
                     {"Ladder " + ladder.name,
-                     plural(ladder.rungs.size() - 1, "other rung") + ": compiled when they are chosen", ladder.span});
+                     counted(ladder.rungs.size() - 1, "other rung") + ": compiled when they are chosen", ladder.span});
     }
 
     void redraw() {
@@ -287,7 +287,7 @@ private:
             fmt::format("{} of {}, outside of the picture or of a face of a cube map: {}", out, all,
                         fmt::join(names, ", ")));
         say("passes out of view", passes == 0,
-            fmt::format("{}, read only by draws out of view", plural(passes, "pass")));
+            fmt::format("{}, read only by draws out of view", counted(passes, "pass")));
     }
 
     const Runtime::Impl& impl_;
@@ -340,12 +340,6 @@ std::string title_of(const Texture& texture) {
 std::string name_of(const Pass& pass) {
     return std::array{"window", "RenderToTexture", "RenderToCube"}[static_cast<std::size_t>(pass.kind)];
 }
-
-std::string plural(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : what.ends_with('s') ? "es" : "s");
-}
-
-using Kind = Explanation::Kind;
 
 namespace {
 

@@ -16,7 +16,6 @@ std::string statement_of(const Texture& texture);
 std::string title_of(const Texture& texture);
 Explanation::Kind kind_of(const Texture& texture);
 std::string name_of(const Pass& pass);
-std::string plural(std::size_t count, std::string_view what);
 
 // Without what it saves. Values count alone where Runtime::find_switched_off has tried them.
 std::vector<Explanation::SwitchedOff> switched_off(const Runtime::Impl& impl);

@@ -1,6 +1,5 @@
 #include "src/runtime/resources/mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -38,6 +37,23 @@ void add(std::vector<Stream>& streams, Attribute attribute, const std::vector<Ve
                            values.size() * std::tuple_size_v<Vector>});
 }
 
+// One after another into the buffer that is bound. Returns how many bytes there are.
+size_t fill_with(const std::vector<Stream>& streams) {
+    size_t total = 0, offset = 0;
+    for (const Stream& stream : streams) total += stream.floats * sizeof(float);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(total), nullptr, GL_STATIC_DRAW);
+    for (const Stream& stream : streams) {
+        const auto location = static_cast<GLuint>(stream.attribute);
+        const size_t bytes = stream.floats * sizeof(float);
+        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), stream.data);
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, stream.components, GL_FLOAT, GL_FALSE, 0,
+                              reinterpret_cast<const void*>(offset));
+        offset += bytes;
+    }
+    return total;
+}
+
 }  // namespace
 
 GpuMesh upload(const content::Mesh& mesh) {
@@ -73,31 +89,19 @@ GpuMesh upload(const content::Mesh& mesh) {
     gpu.indices = gl::Buffer(gl::make(glGenBuffers));
     glBindVertexArray(gpu.array.get());
     glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.get());
-    size_t total = 0;
-    for (const Stream& stream : streams) total += stream.floats * sizeof(float);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(total), nullptr, GL_STATIC_DRAW);
-    size_t offset = 0;
-    for (const Stream& stream : streams) {
-        const auto location = static_cast<GLuint>(stream.attribute);
-        const size_t bytes = stream.floats * sizeof(float);
-        glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), stream.data);
-        glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, stream.components, GL_FLOAT, GL_FALSE, 0,
-                              reinterpret_cast<const void*>(offset));
-        offset += bytes;
-    }
-    const auto fill = [&](const auto& indices) {
+    gpu.bytes = fill_with(streams);
+    const auto list = [&](const auto& indices) {
         const size_t bytes = indices.size() * sizeof(indices[0]);
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.get());
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), indices.data(), GL_STATIC_DRAW);
-        gpu.bytes = total + bytes;
+        gpu.bytes += bytes;
     };
     // OpenGL ES takes the largest number for the end of a strip.
     if (mesh.positions.size() < std::numeric_limits<std::uint16_t>::max()) {
         gpu.index_type = GL_UNSIGNED_SHORT;
-        fill(std::vector<std::uint16_t>(mesh.indices.begin(), mesh.indices.end()));
+        list(std::vector<std::uint16_t>(mesh.indices.begin(), mesh.indices.end()));
     } else {
-        fill(mesh.indices);
+        list(mesh.indices);
     }
     glBindVertexArray(0);
     return gpu;

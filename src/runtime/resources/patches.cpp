@@ -1,8 +1,6 @@
 #include "src/runtime/resources/patches.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 #include "parser/text/ranges.h"

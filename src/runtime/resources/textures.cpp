@@ -207,6 +207,29 @@ bool same_declaration(const Texture& a, const Texture& b) {
 // The smaller levels add a third.
 std::size_t with_levels(std::size_t bytes, bool levels) { return levels ? bytes * 4 / 3 : bytes; }
 
+// A map of a file is computed once, but a map of something drawn perhaps for every frame.
+constexpr int largest_by_default = 128, largest_drawn_by_default = 64;
+
+CubeLevels levels_of(const std::vector<content::CubeLight>& lights) {
+    CubeLevels result;
+    for (const content::CubeLight& light : lights) result.faces.push_back(content::half_faces(light));
+    for (const content::CubeFaces& faces : result.faces) {
+        auto& level = result.texels.emplace_back();
+        for (std::size_t face = 0; face < 6; ++face) {
+            level[face] = {gl::Pixels::rgba16f, faces[face].width, faces[face].height, 1, faces[face].pixels.data()};
+            result.bytes += faces[face].bytes();
+        }
+    }
+    return result;
+}
+
+content::CubeLight black(int size) {
+    content::CubeLight light;
+    light.size = size;
+    light.texels.resize(6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    return light;
+}
+
 }  // namespace
 
 Textures::Textures(const Scene& scene, Files& files, const gl::Caps& caps, Counters& counters,
@@ -527,33 +550,6 @@ GLuint Textures::sampler(const Filter& filter, bool clamp, bool cube) {
     if (!sampler) sampler = gl::make_sampler(sampling(usable(filter, cube, *caps_), clamp), cube);
     return sampler.get();
 }
-
-namespace {
-
-// A map of a file is computed once, but a map of something drawn perhaps for every frame.
-constexpr int largest_by_default = 128, largest_drawn_by_default = 64;
-
-CubeLevels levels_of(const std::vector<content::CubeLight>& lights) {
-    CubeLevels result;
-    for (const content::CubeLight& light : lights) result.faces.push_back(content::half_faces(light));
-    for (const content::CubeFaces& faces : result.faces) {
-        auto& level = result.texels.emplace_back();
-        for (std::size_t face = 0; face < 6; ++face) {
-            level[face] = {gl::Pixels::rgba16f, faces[face].width, faces[face].height, 1, faces[face].pixels.data()};
-            result.bytes += faces[face].bytes();
-        }
-    }
-    return result;
-}
-
-content::CubeLight black(int size) {
-    content::CubeLight light;
-    light.size = size;
-    light.texels.resize(6 * static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
-    return light;
-}
-
-}  // namespace
 
 content::CubeLight read_light(GLuint cube, int size) {
     auto rows = gl::read_cube(cube, size);

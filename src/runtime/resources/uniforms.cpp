@@ -55,47 +55,52 @@ void append_harmonics(Floats& out, const DrawContext& c, int size) {
 
 // ---- matrices of four columns ------------------------------------------------------------------------------
 
-enum class Product : std::uint8_t {
-    model_view,
-    projection,
-    model_view_projection,
-    texture,
-    model,
-    view,
-    view_projection,
-    model_viewer
-};
+// In world coordinates. The scene transformation comes after eye coordinates, so it moves the viewer.
+glm::dvec3 viewer(const DrawContext& c) {
+    const glm::dvec4 eye = inverse(c.scene * c.view) * glm::dvec4(0, 0, 0, 1);
+    return glm::dvec3(eye) / eye.w;
+}
+
+glm::dmat4 model_view(const DrawContext& c) { return c.view * c.model; }
+glm::dmat4 projection(const DrawContext& c) { return c.projection; }
+glm::dmat4 model_view_projection(const DrawContext& c) { return c.projection * c.view * c.model; }
+glm::dmat4 of_texture(const DrawContext& c) { return c.texture; }
+glm::dmat4 model_alone(const DrawContext& c) { return c.model; }
+glm::dmat4 view_alone(const DrawContext& c) { return c.view; }
+glm::dmat4 view_projection(const DrawContext& c) { return c.projection * c.view; }
+glm::dmat4 model_viewer(const DrawContext& c) { return glm::translate(glm::dmat4(1), -viewer(c)) * c.model; }
+
 enum class Form : std::uint8_t { plain, inverse, transpose, inverse_transpose };
 
 struct MatrixUniform {
     System system;
-    Product product;
+    glm::dmat4 (*product)(const DrawContext&);
     Form form;
 };
 
 constexpr MatrixUniform matrix_uniforms[]{
-    {System::model_view, Product::model_view, Form::plain},
-    {System::model_view_inverse, Product::model_view, Form::inverse},
-    {System::model_view_transpose, Product::model_view, Form::transpose},
-    {System::model_view_inverse_transpose, Product::model_view, Form::inverse_transpose},
-    {System::projection, Product::projection, Form::plain},
-    {System::projection_inverse, Product::projection, Form::inverse},
-    {System::projection_transpose, Product::projection, Form::transpose},
-    {System::projection_inverse_transpose, Product::projection, Form::inverse_transpose},
-    {System::model_view_projection, Product::model_view_projection, Form::plain},
-    {System::model_view_projection_inverse, Product::model_view_projection, Form::inverse},
-    {System::model_view_projection_transpose, Product::model_view_projection, Form::transpose},
-    {System::model_view_projection_inverse_transpose, Product::model_view_projection, Form::inverse_transpose},
-    {System::texture_matrix, Product::texture, Form::plain},
-    {System::texture_matrix_inverse, Product::texture, Form::inverse},
-    {System::texture_matrix_transpose, Product::texture, Form::transpose},
-    {System::texture_matrix_inverse_transpose, Product::texture, Form::inverse_transpose},
-    {System::model, Product::model, Form::plain},
-    {System::model_inverse, Product::model, Form::inverse},
-    {System::view, Product::view, Form::plain},
-    {System::view_inverse, Product::view, Form::inverse},
-    {System::view_projection, Product::view_projection, Form::plain},
-    {System::model_viewer, Product::model_viewer, Form::plain},
+    {System::model_view, model_view, Form::plain},
+    {System::model_view_inverse, model_view, Form::inverse},
+    {System::model_view_transpose, model_view, Form::transpose},
+    {System::model_view_inverse_transpose, model_view, Form::inverse_transpose},
+    {System::projection, projection, Form::plain},
+    {System::projection_inverse, projection, Form::inverse},
+    {System::projection_transpose, projection, Form::transpose},
+    {System::projection_inverse_transpose, projection, Form::inverse_transpose},
+    {System::model_view_projection, model_view_projection, Form::plain},
+    {System::model_view_projection_inverse, model_view_projection, Form::inverse},
+    {System::model_view_projection_transpose, model_view_projection, Form::transpose},
+    {System::model_view_projection_inverse_transpose, model_view_projection, Form::inverse_transpose},
+    {System::texture_matrix, of_texture, Form::plain},
+    {System::texture_matrix_inverse, of_texture, Form::inverse},
+    {System::texture_matrix_transpose, of_texture, Form::transpose},
+    {System::texture_matrix_inverse_transpose, of_texture, Form::inverse_transpose},
+    {System::model, model_alone, Form::plain},
+    {System::model_inverse, model_alone, Form::inverse},
+    {System::view, view_alone, Form::plain},
+    {System::view_inverse, view_alone, Form::inverse},
+    {System::view_projection, view_projection, Form::plain},
+    {System::model_viewer, model_viewer, Form::plain},
 };
 
 const MatrixUniform* matrix_uniform(System system) {
@@ -103,41 +108,13 @@ const MatrixUniform* matrix_uniform(System system) {
     return found == std::end(matrix_uniforms) ? nullptr : found;
 }
 
-// In world coordinates. The scene transformation comes after eye coordinates, so it moves the viewer.
-glm::dvec3 viewer(const DrawContext& c) {
-    const glm::dvec4 eye = inverse(c.scene * c.view) * glm::dvec4(0, 0, 0, 1);
-    return glm::dvec3(eye) / eye.w;
-}
-
-glm::dmat4 product(Product which, const DrawContext& c) {
-    switch (which) {
-        case Product::model_view:
-            return c.view * c.model;
-        case Product::projection:
-            return c.projection;
-        case Product::model_view_projection:
-            return c.projection * c.view * c.model;
-        case Product::texture:
-            return c.texture;
-        case Product::model:
-            return c.model;
-        case Product::view:
-            return c.view;
-        case Product::view_projection:
-            return c.projection * c.view;
-        case Product::model_viewer:
-            return glm::translate(glm::dmat4(1), -viewer(c)) * c.model;
-    }
-    return glm::dmat4(1);
-}
-
 void append_matrix(Floats& out, const MatrixUniform& uniform, const DrawContext& c, int size) {
-    glm::dmat4 matrix = product(uniform.product, c);
+    glm::dmat4 matrix = uniform.product(c);
     if (uniform.form == Form::inverse || uniform.form == Form::inverse_transpose) matrix = inverse(matrix);
     if (uniform.form == Form::transpose || uniform.form == Form::inverse_transpose) matrix = glm::transpose(matrix);
     append(out, matrix);
     // Only the first unit has a texture matrix that moves.
-    for (int i = 1; i < size && uniform.product == Product::texture; ++i) append(out, glm::dmat4(1));
+    for (int i = 1; i < size && uniform.product == of_texture; ++i) append(out, glm::dmat4(1));
 }
 
 // ---- all others --------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 #include "src/server/wire/inbox.h"
 
 #include <algorithm>
-#include <charconv>
 
+#include "parser/text/number.h"
 #include "parser/text/words.h"
 
 namespace snell::server {
@@ -44,11 +44,10 @@ void Inbox::end_line() {
         const std::size_t colon = line.find(':');
         const std::string_view value = colon == line.npos ? "" : trimmed(line.substr(colon + 1));
         if (same_word(trimmed(line.substr(0, colon)), "Content-Length")) {
-            std::size_t length = 0;
-            const auto [last, error] = std::from_chars(value.data(), value.data() + value.size(), length);
-            has_length_ = !value.empty() && error == std::errc() && last == value.data() + value.size();
+            const auto length = read_whole<std::size_t>(value);
+            has_length_ = length.has_value();
             wrong_ = has_length_ ? "" : "Content-Length is not a number of bytes";
-            left_ = has_length_ ? length : 0;
+            left_ = length.value_or(0);
         }
     }
     line_.clear();

@@ -1,7 +1,6 @@
 #include "src/server/wire/lines.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "parser/text/words.h"
 
@@ -15,18 +14,13 @@ std::uint32_t units(const utf8::Char& c, Encoding encoding) {
     return c.valid && c.code > 0xFFFF ? 2 : 1;
 }
 
-}  // namespace
-
-Lines::Lines(std::string_view text) : text_(text), starts_{0} {
-    const bool only_lf = text.find('\r') == text.npos;
-    const auto next = [&](std::size_t from) {
-        return only_lf ? text.find('\n', from) : text.find_first_of("\r\n", from);
-    };
-    for (std::size_t at = next(0); at != text.npos; at = next(at)) {
-        at += text.substr(at, 2) == "\r\n" ? 2 : 1;
-        starts_.push_back(static_cast<std::uint32_t>(at));
-    }
+// Numbers below 0 are 0, and those that are too large the largest.
+std::uint32_t natural(const Json& number) {
+    const double value = number.get<double>();
+    return value > 0 ? static_cast<std::uint32_t>(std::min(value, 2147483647.)) : 0;
 }
+
+}  // namespace
 
 std::uint32_t Lines::end_of_line(std::uint32_t line) const {
     if (line + std::size_t{1} >= starts_.size()) return static_cast<std::uint32_t>(text_.size());
@@ -75,16 +69,6 @@ Json range_json(const Lines& lines, const Span& span, Encoding encoding) {
     const Place begin = lines.place(span.begin, encoding);
     return {{"start", place_json(begin)}, {"end", place_json(lines.place(std::max(span.begin, span.end), encoding))}};
 }
-
-namespace {
-
-// Numbers below 0 are 0, and those that are too large the largest.
-std::uint32_t natural(const Json& number) {
-    const double value = number.get<double>();
-    return value > 0 ? static_cast<std::uint32_t>(std::min(value, 2147483647.)) : 0;
-}
-
-}  // namespace
 
 Place place_of(const Json& json) { return {natural(json.at("line")), natural(json.at("character"))}; }
 

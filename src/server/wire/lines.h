@@ -24,7 +24,7 @@ struct Place {
 // The lines of a text, which must outlive it. CR, LF and CRLF end a line, as in Sources.
 class Lines {
 public:
-    explicit Lines(std::string_view text);
+    explicit Lines(std::string_view text) : text_(text), starts_(line_starts(text)) {}
 
     // Places after the end of a line count as its end, and lines after the last as the end of the text.
     std::uint32_t offset(Place place, Encoding encoding) const;

@@ -1,6 +1,5 @@
 // Cheaper changes of the shaders of a scene.
 #include <algorithm>
-#include <memory>
 #include <tuple>
 
 #include "parser/text/ranges.h"

@@ -1,8 +1,6 @@
 // Work that moves from the fragment to the vertex shader, by a new varying.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/shaders/shader.h"
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/shaders/shader.h"

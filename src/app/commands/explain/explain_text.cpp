@@ -39,8 +39,7 @@ std::string part_text(const SwitchedOff::Part& part) {
     const bool named = part.kind == Kind::sampler || part.kind == Kind::uniform;  // the name begins with the type
     std::string text = named ? part.name : fmt::format("{} {}", name(part.kind), part.name);
     if (!part.functions.empty()) text += fmt::format(", named in {}", fmt::join(part.functions, ", "));
-    if (!part.files.empty())
-        text += fmt::format(", {} file{} not opened", part.files.size(), part.files.size() == 1 ? "" : "s");
+    if (!part.files.empty()) text += fmt::format(", {} not opened", counted(part.files.size(), "file"));
     return text;
 }
 
@@ -71,11 +70,7 @@ std::string switched_off_text(const ExplainReport& report, const Sources& source
 // Names and texts of scenes go to the terminal, and may hold anything.
 std::string printable_lines(std::string_view text) {
     std::string lines;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        lines += utf8::printable(text.substr(at, end - at)) + "\n";
-        at = end + 1;
-    }
+    for (const std::string_view line : split(text, '\n')) lines += utf8::printable(line) + "\n";
     return lines;
 }
 

@@ -21,6 +21,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view style =
+    R"(:root { --full: #d8f3dc; --part: #fff0c2; --none: #ffd9d6; }
+@media (prefers-color-scheme: dark) { :root { --full: #143d20; --part: #4a3a08; --none: #551d1a; } }
+p { margin: .5rem 0; max-width: 60rem; } small, figcaption { color: var(--weak); }
+th, td { border: 1px solid var(--line); padding: .25rem .5rem; text-align: left; vertical-align: top; overflow-wrap: break-word; max-width: 40rem; }
+th { background: var(--panel); } .number { min-width: 4rem; max-width: 9rem; }
+th button { all: unset; cursor: pointer; font-weight: bold; } th button:focus-visible { outline: 2px solid currentColor; outline-offset: 2px; }
+th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
+.full { background: var(--full); } .part { background: var(--part); } .none { background: var(--none); }
+img { display: block; max-width: 100%; height: auto; } td img { width: 5rem; max-width: none; } td a { display: inline-block; }
+.over { position: relative; } .over img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 50%); } input[type=range] { width: 100%; margin: .25rem 0; }
+pre { overflow-x: auto; border: 1px solid var(--line); background: var(--panel); padding: .5rem; font: .8125rem/1.4 ui-monospace, monospace; margin: 0; }
+.sides { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .sides > div { min-width: 0; } mark { background: var(--part); color: inherit; display: block; }
+)";
+
+// Nothing is loaded but pictures next to it.
+std::string page_of(const std::string& title, std::string body, std::string_view script = {}) {
+    return content::html_page({title, std::move(body), style, script, "'self' file:", "snell grade"});
+}
+
+using content::CellKind, content::Table;
+
+// A cell whose lines stay, and which may be a link.
+Table::Cell cell(const std::string& text, const std::string& link = {}) {
+    Table::Cell made(text);
+    made.html = shown_text(text);
+    if (!link.empty()) made.html = fmt::format("<a href=\"{}\">{}</a>", link, made.html);
+    return made;
+}
+
+// A class of CSS for a number of points.
+std::string class_of(double points, double of) { return points >= of ? "full" : points > 0 ? "part" : "none"; }
+
 }  // namespace
 
 std::vector<Alike> alike_submissions(const Grades& grades) {
@@ -53,25 +86,6 @@ std::string write_report(const Grades& grades, const std::vector<Alike>& alike, 
     return wrong;
 }
 
-namespace {
-
-constexpr std::string_view style =
-    R"(:root { --full: #d8f3dc; --part: #fff0c2; --none: #ffd9d6; }
-@media (prefers-color-scheme: dark) { :root { --full: #143d20; --part: #4a3a08; --none: #551d1a; } }
-p { margin: .5rem 0; max-width: 60rem; } small, figcaption { color: var(--weak); }
-th, td { border: 1px solid var(--line); padding: .25rem .5rem; text-align: left; vertical-align: top; overflow-wrap: break-word; max-width: 40rem; }
-th { background: var(--panel); } .number { min-width: 4rem; max-width: 9rem; }
-th button { all: unset; cursor: pointer; font-weight: bold; } th button:focus-visible { outline: 2px solid currentColor; outline-offset: 2px; }
-th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
-.full { background: var(--full); } .part { background: var(--part); } .none { background: var(--none); }
-img { display: block; max-width: 100%; height: auto; } td img { width: 5rem; max-width: none; } td a { display: inline-block; }
-.over { position: relative; } .over img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 50%); } input[type=range] { width: 100%; margin: .25rem 0; }
-pre { overflow-x: auto; border: 1px solid var(--line); background: var(--panel); padding: .5rem; font: .8125rem/1.4 ui-monospace, monospace; margin: 0; }
-.sides { display: grid; grid-template-columns: 1fr 1fr; gap: 1rem; } .sides > div { min-width: 0; } mark { background: var(--part); color: inherit; display: block; }
-)";
-
-}  // namespace
-
 std::string shown_text(std::string_view text) {
     std::string shown;
     for (std::size_t at = 0; at <= text.size();) {
@@ -85,28 +99,6 @@ std::string shown_text(std::string_view text) {
     }
     return shown;
 }
-
-namespace {
-
-// Nothing is loaded but pictures next to it.
-std::string page_of(const std::string& title, std::string body, std::string_view script = {}) {
-    return content::html_page({title, std::move(body), style, script, "'self' file:", "snell grade"});
-}
-
-using content::CellKind, content::Table;
-
-// A cell whose lines stay, and which may be a link.
-Table::Cell cell(const std::string& text, const std::string& link = {}) {
-    Table::Cell made(text);
-    made.html = shown_text(text);
-    if (!link.empty()) made.html = fmt::format("<a href=\"{}\">{}</a>", link, made.html);
-    return made;
-}
-
-// A class of CSS for a number of points.
-std::string class_of(double points, double of) { return points >= of ? "full" : points > 0 ? "part" : "none"; }
-
-}  // namespace
 
 // The results for programs: CSV, JSON, and JUnit's XML for CI services.
 
@@ -418,8 +410,6 @@ std::string index_page(const Grades& grades, const std::vector<Alike>& alike) {
 // Two submissions side by side, with what they have in common.
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // The text with the lines marked that fingerprints in common cover.
 std::string marked(const Record& record, std::size_t text, const Alike& alike) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
@@ -36,10 +35,8 @@ std::optional<Range> parse_range(std::string_view text) {
     const auto number = [](std::string_view part, std::optional<double>& value) {
         part = trimmed(part, " ");
         if (part.empty()) return true;
-        double held = 0;
-        const auto [end, error] = read_real(part.data(), part.data() + part.size(), held);
-        value = held;
-        return error == std::errc() && end == part.data() + part.size() && std::isfinite(held);
+        value = read_whole<double>(part);
+        return value && std::isfinite(*value);
     };
     Range range;
     const std::size_t dots = text.find("..");
@@ -311,12 +308,11 @@ private:
 
 // Two whole numbers of pixels, such as "320x240".
 bool parse_sides(std::string_view text, int& width, int& height) {
-    const char* const end = text.data() + text.size();
-    const auto [middle, wrong_width] = std::from_chars(text.data(), end, width);
-    if (wrong_width != std::errc() || middle == end || *middle != 'x') return false;
-    const auto [last, wrong_height] = std::from_chars(middle + 1, end, height);
+    const std::size_t cross = std::min(text.find('x'), text.size() - 1);
+    width = read_whole<int>(text.substr(0, cross)).value_or(0);
+    height = read_whole<int>(text.substr(cross + 1)).value_or(0);
     const auto usual = [](int side) { return side >= 16 && side <= 4096; };
-    return wrong_height == std::errc() && last == end && usual(width) && usual(height);
+    return usual(width) && usual(height);
 }
 
 }  // namespace
