@@ -283,6 +283,9 @@ TEST_F(Grade, DeductionsCostPoints) {
     EXPECT_EQ(results()["points"], 4);
     EXPECT_EQ(results()["items"][1]["points"], 0);
     EXPECT_EQ(results()["items"][1]["deducts"], 1.5);
+    EXPECT_EQ(results()["items"][0]["deducts"], 0);
+    for (const char* suite : {"\"bob\" tests=\"4\" failures=\"2\"", "\"eve\" tests=\"4\" failures=\"0\""})
+        EXPECT_NE(bytes_of(at("out/junit.xml")).find(suite), std::string::npos) << bytes_of(at("out/junit.xml"));
     for (const auto& [name, points] : {std::pair("ann", 2.5), {"bob", 1.5}, {"eve", 4.}, {"kim", 0.}})
         EXPECT_EQ(result(name)["points"], points) << result(name).dump(1);
     EXPECT_EQ(result("bob")["items"][2]["points"], -1);
