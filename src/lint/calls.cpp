@@ -20,6 +20,8 @@ Walker::Expr Walker::call(int node) {
     if (n.form == glsl::Form::construct) {
         if (n.type.basic() && n.type.dims == 0) e.v = constructed(n.type, given);
     } else if (const glsl::Function* f = find_function(n, given.size())) {
+        for (std::size_t k = 0; k < given.size(); ++k)
+            if (f->parameters[k].variable >= 0) define(f->parameters[k].variable, parts(node)[k]);
         e.v = call_user(*f, given);
     } else if (u_.function_names.contains(name)) {  // it is unknown which one
         for (const Expr& a : given)

@@ -109,6 +109,7 @@ void Walker::assign(Expr& target, const Expr& value, std::string_view op) {
         if (!target.whole || unstable_.contains(target.slot)) {
             forget(target.slot);
         } else if (!known.constant) {
+            forget(target.slot);
             const glsl::Type type = known.value.type;
             known.value = result;
             known.value.type = type;

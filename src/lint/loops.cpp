@@ -24,13 +24,11 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double most_rounds = 65536;
 
 constexpr std::string_view go_round_text = "the loops of this shader go round ";
-
-// Nobody goes round so often to count.
-constexpr double very_many = 1e6;
+constexpr std::string_view may_go_round_text = "the loops of this shader may go round ";  // at the end of a slider
 
 std::string rounds_text(double rounds) {
     if (rounds >= very_many && rounds != endless) return "more than a million times";
-    return rounds == endless ? "for ever" : fmt::format("about {:.0f} times", rounds);
+    return rounds == endless ? "for ever" : fmt::format("at least {:.0f} times", rounds);
 }
 
 }  // namespace
@@ -67,11 +65,13 @@ bool Walker::calls_discard(int node) const {
 // What may not run is judged by itself: its rounds are neither added to others nor multiplied by those of loops around.
 void Walker::apart(const std::function<void()>& walk) {
     const double rounds = std::exchange(rounds_, 0), weight = std::exchange(weight_, 1);
+    std::vector<Counter> counters = std::exchange(counters_, {});
     ++perhaps_;
     walk();
     --perhaps_;
     rounds_ = rounds;
     weight_ = weight;
+    counters_ = std::move(counters);
 }
 
 bool Walker::stored(int variable, int node) const {
@@ -113,8 +113,6 @@ std::optional<std::vector<Walker::Update>> Walker::updates_of(int variable, cons
     return updates;
 }
 
-namespace {
-
 double updated(double value, char op, double by, glsl::Base base) {
     value = op == '+' ? value + by : op == '-' ? value - by : op == '*' ? value * by : op == '/' ? value / by : by;
     if (base == glsl::Base::real) return static_cast<float>(value);
@@ -133,9 +131,8 @@ bool holds(double left, std::string_view op, double right) {
     return (op == "==" && left == right) || (op == "!=" && left != right);
 }
 
-}  // namespace
-
-// Goes round with the numbers; it never ends if the variable has a value again that it had (Brent's search for cycles).
+// Goes round with the numbers, very_many times at most; it never ends if the variable has a value again that it had
+// (Brent's search for cycles).
 double Walker::counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
                               glsl::Base base) {
     double seen = value, rounds = 0;
@@ -155,6 +152,16 @@ bool Walker::stays_true(const Loop& loop) {
     return updates && updates->empty() && slot(test.variable).value.range == exactly(1);
 }
 
+bool compares(std::string_view op) { return std::string_view("< <= > >= == !=").find(op) != std::string_view::npos; }
+
+// Whether a bound may be another one in the next round.
+bool Walker::moves(int bound, const Loop& loop) const {
+    for (int k = at(bound).begin; k <= bound; ++k)
+        if (const Node& n = at(k); n.form == Form::call || (n.variable >= 0 && stored(n.variable, loop.body)))
+            return true;
+    return false;
+}
+
 // 0: it is not known. A slider counts as far as it goes.
 double Walker::rounds_of(const Loop& loop) {
     const Node& test = at(loop.condition);
@@ -167,16 +174,11 @@ double Walker::rounds_of(const Loop& loop) {
     if (test.form != Form::infix || at(sides[0]).form != Form::name || at(sides[0]).variable < 0) return 0;
     const int variable = at(sides[0]).variable;
     const std::string_view op = test.text;
-    if (std::string_view("< <= > >= == !=").find(op) == std::string_view::npos) return 0;
+    if (!compares(op)) return 0;
     const auto updates = updates_of(variable, loop);
     if (!updates) return 0;
-    for (int k = at(sides[1]).begin; k <= sides[1]; ++k)  // a bound that moves
-        if (const Node& n = at(k); n.form == Form::call || (n.variable >= 0 && stored(n.variable, loop.body))) return 0;
-    Value bound = evaluate(sides[1]).v;
-    if (bound.uniform >= 0)
-        if (const auto set = around_.uniforms.find(u_.globals[static_cast<std::size_t>(bound.uniform)].name);
-            set != around_.uniforms.end())
-            bound.range = set->second.range;
+    if (moves(sides[1], loop)) return 0;
+    const Value bound = evaluate(sides[1]).v;
     const glsl::Base base = at(sides[0]).type.base;
     if (base == glsl::Base::uinteger && op == ">=" && bound.range == exactly(0)) return endless;
     const Range& from = slot(variable).value.range;
@@ -197,53 +199,11 @@ double Walker::rounds_of(const Loop& loop) {
     }
     const bool up = step > 0 && from.real_lo && bound.range.real_hi;
     const bool down = step < 0 && from.real_hi && bound.range.real_lo;
-    const double way = up ? bound.range.hi - from.lo : down ? from.hi - bound.range.lo : 0;
-    const double rounds = way / std::abs(step);
-    if (!std::isfinite(rounds) || rounds <= 0) return 0;
-    if ((up && op == "<") || (down && op == ">")) return std::ceil(rounds);
-    return (up && op == "<=") || (down && op == ">=") ? std::floor(rounds) + 1 : 0;
-}
-
-// Sums and differences of names and numbers.
-bool Walker::linear(int node) const {
-    constexpr std::array forms{Form::name,       Form::number,      Form::group,     Form::infix, Form::assign,
-                               Form::declarator, Form::declaration, Form::evaluated, Form::empty};
-    for (int k = at(node).begin; k <= node; ++k)
-        if (ranges::count(forms, at(k).form) == 0 ||
-            (at(k).form == Form::infix && std::string_view("+ - < <= > >=").find(at(k).text) == std::string_view::npos))
-            return false;
-    return true;
-}
-
-// What depends on counters of the loops around goes round as often as with their middle on average. It is more on
-// average if it is nothing for some. `begins`: of `for`; -1: nothing.
-double Walker::rounds_on_average(const Loop& loop, int begins) {
-    if (middles_.empty() || !linear(loop.condition) || (begins >= 0 && !linear(begins))) return 0;
-    const State kept = state_;
-    for (const auto& [variable, middle] : middles_) slot(variable).value.range = exactly(middle);
-    if (begins >= 0) statement(begins);
-    const double rounds = rounds_of(loop);
-    state_ = kept;
-    return rounds == endless ? 0 : rounds;
-}
-
-bool Walker::depends_on_middles(int first, int last) const {
-    for (int k = at(first).begin; k <= last; ++k)
-        if (at(k).form == Form::name && middles_.contains(at(k).variable)) return true;
-    return false;
-}
-
-// Halfway between the first and the last value of a loop's counter.
-std::optional<std::pair<int, double>> Walker::middle_of(const Loop& loop, double rounds) {
-    const std::vector<int> sides = parts(loop.condition);
-    if (!(rounds >= 1 && rounds < very_many) || sides.empty() || at(sides[0]).variable < 0) return std::nullopt;
-    const int variable = at(sides[0]).variable;
-    const Range from = slot(variable).value.range;
-    const auto updates = updates_of(variable, loop);
-    if (!updates || updates->size() != 1 || from != exactly(from.lo)) return std::nullopt;
-    const auto [op, by] = updates->front();
-    if (op != '+' && op != '-') return std::nullopt;
-    return std::pair(variable, from.lo + std::floor((rounds - 1) / 2) * (op == '+' ? by : -by));
+    if (!up && !down) return 0;
+    slides_ = slides_ || !exact;
+    const double first = up ? from.lo : from.hi, last = up ? bound.range.hi : bound.range.lo;
+    const double rounds = counted_rounds(first, op, last, *updates, base);
+    return rounds < very_many ? rounds : std::ceil(std::abs((last - first) / step));
 }
 
 bool never_ends(const Diagnostic& found) {
@@ -255,14 +215,14 @@ bool may_not_end(const Diagnostics& found) {
     return ranges::count(found.items(), facts(Rule::many_rounds).code, &Diagnostic::code) > 0;
 }
 
-void Walker::go_round(double rounds, int first, int last) {
-    if (rounds <= 0 || state_.dead || (rounds == endless && (perhaps_ > 0 || state_.returned))) return;
-    rounds_ += weight_ * (rounds + 1);
+void Walker::go_round(std::optional<double> rounds, int first, int last) {
+    if (!rounds || state_.dead || (rounds == endless && (perhaps_ > 0 || state_.returned))) return;
+    rounds_ += weight_ * (*rounds + 1);
     if (rounds_ <= most_rounds || told_rounds_) return;
     told_rounds_ = true;
     last = std::min(last, static_cast<int>(u_.tokens.size()) - 1);  // the text may end within the header
     report(Rule::many_rounds, first, last,
-           std::string(go_round_text) + rounds_text(rounds_) +
+           std::string(slides_ || perhaps_ > 0 ? may_go_round_text : go_round_text) + rounds_text(rounds_) +
                ": without a GPU, Mesa's llvmpipe ends them after 65535, and the picture is what they had by then");
 }
 

@@ -17,6 +17,7 @@ Walker::Walker(const glsl::Unit& unit, const Surroundings& around, const Varying
     for (const glsl::Type& type : u_.code.variables) state_.slots.emplace_back().value.type = type;
     for (const glsl::Global& g : u_.globals)
         if (g.variable >= 0) slot(g.variable) = {seed(g), g.qualifiers.storage == Storage::constant};
+    each_stored(0, static_cast<int>(u_.tree->size()) - 1, [&](int variable) { stored_.insert(variable); });
     // Initialisers of constants are expressions of constants that stand before them.
     for (const Node& n : *u_.tree) {
         if (n.form != Form::declarator || !slot(n.variable).constant || n.type.dims > 0) continue;
@@ -70,11 +71,13 @@ void Walker::note_reasons(int variable, int value) {
         if (reasons.size() < most && ranges::count(reasons, name) == 0) reasons.push_back(name);
 }
 
-// A number that was compared with something is no longer known to be as small or as large as it may have been.
-void Walker::condition_on(int first, int last) {
+// A number that was compared with something is no longer known to be as small or as large as it may have been, but for
+// uniforms that a loop counts to.
+void Walker::condition_on(int first, int last, bool counts) {
     for (const Node* name : conditioned(first, last)) {
         conditions_.insert(name->text);
         if (name->variable < 0 || slot(name->variable).constant) continue;
+        if (counts && slot(name->variable).value.uniform >= 0) continue;
         Value& value = slot(name->variable).value;
         value.range = {};
         value.difference = {};
@@ -103,13 +106,19 @@ void Walker::branch(int node) {
     const bool returned = taken.returned || state_.returned;
     // If a path ended here, the rest runs under the condition, too.
     perhaps_ += ended ? 1 : 0;
-    if (ended) rounds_ = 0, weight_ = 1;
+    if (ended) rounds_ = 0, weight_ = 1, counters_.clear();
     if (!ended) conditions_end(tested);
     state_ = merge(std::move(taken), state_);
+    for (const Node* name : conditioned(at(tested).begin, tested))  // behind it, it may be anything again
+        if (name->global >= 0 && name->variable >= 0 && slot(name->variable).value.uniform >= 0 &&
+            !conditions_.contains(name->text))
+            slot(name->variable).value.range = seed(u_.globals[static_cast<std::size_t>(name->global)]).range;
     if (returned && !state_.dead && varies && calling_.size() == 1) ++nonuniform_;
 }
 
 void Walker::forget(int variable) {
+    for (Counter& c : counters_) c.moved = c.moved || c.variable == variable;
+    defined_.erase(variable);
     Slot& s = slot(variable);
     if (s.constant) return;
     const glsl::Type type = s.value.type;
@@ -143,25 +152,23 @@ void Walker::loop(int node) {
     if (all.size() != (counted ? 4 : 2)) return;  // not understood
     if (counted) statement(all[0]);
     const int condition = all[counted ? 1 : 0], step = counted ? all[2] : -1, body = all.back();
-    const Loop own{condition, step, body};
-    double rounds = rounds_of(own);
-    if (rounds == 0) rounds = rounds_on_average(own, counted ? all[0] : -1);
-    const auto middle = middle_of(own, rounds);
+    Counter own = counter_of({condition, step, body}, counted ? all[0] : -1);
+    const auto rounds = rounds_in(own, {condition, step, body});
     const double weight = weight_;
+    const std::vector<Counter> around = counters_;
     go_round(rounds, at(node).first, at(counted ? step : condition).last + 1);
-    // With the middle of what it depends on, it does not go round: what is in it does so for a few at most.
-    weight_ *= rounds > 0 || !depends_on_middles(counted ? all[0] : condition, condition) ? std::max(rounds, 1.0) : 0;
+    weight_ *= rounds.value_or(1);
     forget_stored(at(condition).begin, body);
     const State before = state_;
     const bool varies = evaluate(condition).v.varies == Varies::yes;
-    condition_on(at(node).begin, at(body).begin - 1);
+    condition_on(at(node).begin, at(body).begin - 1, own.variable >= 0);
     nonuniform_ += varies ? 1 : 0;
-    perhaps_ += rounds > 0 ? 0 : 1;
-    if (middle) middles_.insert(*middle);
+    perhaps_ += rounds ? 0 : 1;
+    if (rounds) counters_.push_back(std::move(own));
     statement(body);
-    if (middle) middles_.erase(middle->first);
-    perhaps_ -= rounds > 0 ? 0 : 1;
+    perhaps_ -= rounds ? 0 : 1;
     nonuniform_ -= varies ? 1 : 0;
+    counters_ = around;
     weight_ = weight;
     state_ = before;
     forget_stored(at(node).begin, body);
@@ -172,13 +179,17 @@ void Walker::do_loop(int node) {
     if (all.size() < 2) return;  // not understood
     const int body = all[0], condition = all.back();
     const double weight = weight_;
+    const std::vector<Counter> around = counters_;
     if (at(condition).form != Form::empty) {
-        const double rounds = rounds_of({condition, -1, body});
+        Counter own = counter_of({condition, -1, body}, -1);
+        const auto rounds = rounds_in(own, {condition, -1, body});
         go_round(rounds, at(condition).first - 2, at(condition).last + 1);
-        weight_ *= std::max(rounds, 1.0);
+        weight_ *= std::max(rounds.value_or(1), 1.0);
+        if (rounds >= 1.) counters_.push_back(std::move(own));
     }
     forget_stored(at(body).begin, body);
     statement(body);
+    counters_ = around;
     weight_ = weight;
     state_.dead = false;
 }
@@ -203,6 +214,7 @@ void Walker::local(int node) {
     if (n.type.dims > 0) value = Value{};
     value.type = n.type;
     slot(n.variable).value = value;
+    if (n.type.scalar() && !parts(node).empty()) define(n.variable, parts(node).back());
     for (const int part : parts(node)) note_reasons(n.variable, part);
 }
 

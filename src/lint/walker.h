@@ -32,6 +32,14 @@ struct Surroundings {
 
 using Varyings = std::map<std::string_view, Value>;
 
+// Nobody goes round so often to count.
+constexpr double very_many = 1e6;
+
+// A comparison, whether it holds; a value after an assignment with + - * / or =, rounded as the shader does.
+bool compares(std::string_view op);
+bool holds(double left, std::string_view op, double right);
+double updated(double value, char op, double by, glsl::Base base);
+
 class Walker {
 public:
     // A finding: the tokens it is at, and one line.
@@ -77,7 +85,7 @@ private:
     bool of_interest(int first, int last) const;
     State merge(State a, const State& b) const;
     std::vector<const glsl::Node*> conditioned(int first, int last) const;
-    void condition_on(int first, int last);
+    void condition_on(int first, int last, bool counts = false);
     void conditions_end(int node);
     void note_reasons(int variable, int value);
     // Calls `each` for every variable that the nodes may store something in.
@@ -101,12 +109,39 @@ private:
     static double counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
                                  glsl::Base base);
     bool stays_true(const Loop& loop);
+    bool moves(int bound, const Loop& loop) const;
+    // 0: it is not known.
     double rounds_of(const Loop& loop);
-    bool linear(int node) const;
-    double rounds_on_average(const Loop& loop, int begins);
-    bool depends_on_middles(int first, int last) const;
-    std::optional<std::pair<int, double>> middle_of(const Loop& loop, double rounds);
-    void go_round(double rounds, int first, int last);
+    void go_round(std::optional<double> rounds, int first, int last);
+
+    // loops whose bounds depend on the counters of those around (nests.cpp)
+    struct Counter {
+        int variable = -1;           // -1: it is not known which, or how it counts
+        std::optional<double> from;  // what it begins with,
+        int begin = -1;              // or the expression of that
+        int bound = -1;
+        std::string_view op;
+        glsl::Base base = glsl::Base::unknown;
+        std::vector<Update> updates;
+        double rounds = 0;   // where they depend on no other; 0: they do
+        int serial = 0;      // of what was met so far
+        bool moved = false;  // in the round that is walked
+        double value = 0;    // while rounds are summed
+    };
+    struct Definition {
+        int node;
+        int serial;  // it may mean the counters of loops that were around
+    };
+    void define(int variable, int node);
+    Counter counter_of(const Loop& loop, int begins);
+    std::optional<int> begin_of(int variable, int begins) const;
+    std::optional<double> rounds_in(Counter& own, const Loop& loop);
+    void add_needed(int node, std::set<int>& needed) const;
+    std::optional<double> number_at(int node, bool high, int serial);
+    std::optional<double> number_of_name(const glsl::Node& node, bool high, int serial);
+    std::optional<double> rounds_at(const Counter& counter, bool high);
+    std::optional<double> first_of(const Counter& counter, bool high);
+    std::optional<double> summed(std::size_t level, const Counter& own, const std::set<int>& needed, bool high);
 
     // expressions (expressions.cpp)
     Expr evaluate(int node);
@@ -169,7 +204,11 @@ private:
     std::optional<State> ended_;                  // what main left where it returned early
     std::set<int> unstable_;                      // global variables that functions assign
     double rounds_ = 0, weight_ = 1;              // of all loops so far; of those around
-    std::map<int, double> middles_;  // of the counters of loops around, by variable: halfway between first and last
+    std::vector<Counter> counters_;               // of the loops around that go round a known number of times
+    std::map<int, Definition> defined_;           // what variables have that nothing assigned since
+    std::set<int> stored_;                        // variables that anything assigns
+    int sums_ = 1'000'000;                        // steps of summing rounds: it is left then
+    bool slides_ = false;                         // sliders at their ends were counted with
     bool told_rounds_ = false;
     int perhaps_ = 0;     // branches, and loops of unknown rounds, around: what stands there may never run
     int nonuniform_ = 0;  // branches around that only some fragments take

@@ -211,11 +211,21 @@ Files::Files(std::string folder, Access access) : folder_(std::move(folder)), ac
     for (const std::string& more : access_.allow) add(more);
 }
 
+// A folder that is a link makes another file of sub/../a.frag.
+Resolved Files::as_spelled_first(Resolved found) const {
+    if (found.path.empty()) return found;
+    const std::scoped_lock lock(mutex_);
+    const auto known = spelled_.try_emplace(fs::path(found.path).lexically_normal().string(), found.path).first;
+    std::error_code error;
+    if (known->second != found.path && fs::equivalent(known->second, found.path, error)) found.path = known->second;
+    return found;
+}
+
 Resolved Files::resolve(std::string_view written, const std::vector<std::string_view>& extensions) const {
     const Resolved found = in_folder(written, extensions);
-    if (!found.path.empty() || access_.allow.empty()) return found;
+    if (!found.path.empty() || access_.allow.empty()) return as_spelled_first(found);
     const Resolved shared = handed_out(written, extensions);
-    return shared.path.empty() ? found : shared;
+    return shared.path.empty() ? found : as_spelled_first(shared);
 }
 
 Resolved Files::in_folder(std::string_view written, const std::vector<std::string_view>& extensions) const {
@@ -264,9 +274,9 @@ Resolved Files::look_for(std::string_view written, const std::vector<std::string
 
 Resolved Files::find(std::string_view name) const {
     const Resolved found = look_up(name, {});
-    if (!found.path.empty() || access_.allow.empty()) return found;
+    if (!found.path.empty() || access_.allow.empty()) return as_spelled_first(found);
     const Resolved shared = handed_out(name, {});
-    return shared.path.empty() ? found : shared;
+    return shared.path.empty() ? found : as_spelled_first(shared);
 }
 
 Resolved Files::look_up(std::string_view written, const std::vector<std::string_view>& extensions) const {
@@ -300,7 +310,7 @@ Resolved Files::resolve_beside(std::string_view from, std::string_view name,
     const std::string folder(slash == std::string_view::npos ? "" : from.substr(0, slash + 1));
     const Resolved beside = once(mutex_, missing_, folder, name, extensions,
                                  [&] { return Files(folder, access_).in_folder(name, extensions); });
-    Resolved found = beside.path.empty() ? resolve(name, extensions) : beside;
+    Resolved found = beside.path.empty() ? resolve(name, extensions) : as_spelled_first(beside);
     // Only the last component led there.
     const std::string written = tidy(name);
     if (found.inexact && found.path == from && last_component(written) != written) {

@@ -63,7 +63,8 @@ public:
     Resolved find(std::string_view name) const;
     // Resolves a name that an included scene or shader contains: relative to the folder of that file, whose path on
     // disk is `from`, and otherwise to this object's folder. A name that leads elsewhere is not taken for `from`
-    // itself.
+    // itself. All three give one file that is spelled in several ways, such as a.frag and sub/../a.frag, by the way
+    // that came first, so that it is one file for all that compare paths.
     Resolved resolve_beside(std::string_view from, std::string_view name,
                             const std::vector<std::string_view>& extensions = {}) const;
     // Returns the file's bytes. Returns nullopt and sets `error` if it cannot be read. A pipe or a device is refused
@@ -81,6 +82,7 @@ public:
 
 private:
     const std::string* instead_of(const std::string& path) const;  // null: the file itself
+    Resolved as_spelled_first(Resolved found) const;
     Resolved in_folder(std::string_view written, const std::vector<std::string_view>& extensions) const;
     Resolved look_for(std::string_view written, const std::vector<std::string_view>& extensions) const;
     // What look_for() finds but for Resolved::nearest.
@@ -94,6 +96,7 @@ private:
     FileCounters counters_;
     std::map<std::string, std::shared_ptr<const std::string>> texts_;  // by path, for read_once()
     mutable std::map<std::string, Resolved> missing_;                  // by the name that was looked up
+    mutable std::map<std::string, std::string> spelled_;               // what came first, by path without ".."
     // Paths below the folders of Access::allow, by file names in lower case; nullopt: not read yet.
     mutable std::optional<std::multimap<std::string, std::string>> handed_out_;
     std::vector<std::string> read_paths_;

@@ -211,6 +211,13 @@ TEST(FoundReport, SizesAreThoseOfThePictures) {
     EXPECT_NE(csv.find(",128,128\n"), std::string::npos) << csv;
     EXPECT_NE(csv.find(",64,64,"), std::string::npos) << csv;
     EXPECT_EQ(csv.find("512"), std::string::npos) << csv;
+    EXPECT_FALSE(says(found, "'About'"));
+    found.rungs.push_back(tried("3", {0}));
+    found.rungs.back().quick_ratio = .5;
+    found.quick_size = {128, 128};
+    EXPECT_TRUE(says(found, "'About' is of a few frames of 128 × 128")) << found_text(found);
+    found.quick_size = {512, 512};
+    EXPECT_FALSE(says(found, "'About'"));
     found.costs_size = found.timed_size;
     EXPECT_FALSE(says(found, "What better changes cost"));
 }

@@ -85,6 +85,8 @@ TEST_F(CommandLine, PixelsThatAreNoNumbersAreCountedWhenAsked) {
     const auto stats = nlohmann::json::parse(bytes_of(at("s.json")));
     EXPECT_EQ(stats["non_finite"]["nan"], 16);
     EXPECT_EQ(stats["non_finite"]["infinite"], 8);
+    EXPECT_EQ(snell(command + " --count-non-finite -q").output, "") << "the statistics have it";
+    EXPECT_EQ(nlohmann::json::parse(bytes_of(at("s.json")))["non_finite"]["nan"], 16);
     const std::string good = "render " + at("good.glib") + " -o " + at("o.png") + " --size 8x8 --count-non-finite";
     EXPECT_EQ(snell(good).output, "snell: 0 pixels are NaN and 0 are infinite before they are clamped\n");
     EXPECT_EQ(snell(good + " --quiet").output, "");

@@ -34,5 +34,12 @@ Linted lint_file(const std::string& path, const std::vector<std::string_view>& r
 // `fragment` behind a vertex shader that hands on vN (normal), vE (from the eye) in world coordinates, drawn by a
 // sphere; `values` go on the Program line.
 Linted lint_fragment(std::string_view fragment, std::string_view values = "", std::string_view state = "");
+// The same, for the statements of a main() that sums to x, with uniforms uN, uM (int) and uX.
+inline Linted looping(const std::string& statements, std::string_view values = "",
+                      const std::string& declarations = "") {
+    return lint_fragment("uniform int uN, uM;\nuniform float uX;\n" + declarations + "void main() {\nfloat x = 0.;\n" +
+                             statements + "\ngl_FragColor = vec4(x);\n}\n",
+                         values);
+}
 
 }  // namespace snell::lint

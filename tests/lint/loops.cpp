@@ -5,12 +5,6 @@
 namespace snell::lint {
 namespace {
 
-Linted looping(const std::string& statements, std::string_view values = "", const std::string& declarations = "") {
-    return lint_fragment("uniform int uN, uM;\nuniform float uX;\n" + declarations + "void main() {\nfloat x = 0.;\n" +
-                             statements + "\ngl_FragColor = vec4(x);\n}\n",
-                         values);
-}
-
 bool told(const Linted& linted) { return linted.has(Rule::many_rounds); }
 
 TEST(LintLoops, TooManyRounds) {
@@ -28,7 +22,7 @@ TEST(LintLoops, TooManyRounds) {
     }
     const Linted bad = looping("for (int i = 0; i < 70000; ++i) x += 1.;");
     EXPECT_EQ(bad.at("many-rounds").front(), "for (int i = 0; i < 70000; ++i)");
-    EXPECT_NE(bad.text().find("about 70001 times"), std::string::npos) << bad.text();
+    EXPECT_NE(bad.text().find("at least 70001 times"), std::string::npos) << bad.text();
 }
 
 TEST(LintLoops, LoopsInLoopsAndOneAfterTheOther) {
@@ -62,7 +56,7 @@ TEST(LintLoops, LoopsInLoopsThatGrowOrShrink) {
           {"i < uN - 50; ++i", "int k = 0; k <= i; ++k", false},
           {"i < 90; ++i", "int k = 0; k < i; ++k) for (int m = 0; m < k; ++m", true},
           {"i < 70; ++i", "int k = 0; k < i; ++k) for (int m = 0; m < k; ++m", false},
-          {"i < 400; ++i", "int k = 0; k < 1000 * (i % 2); ++k", false},
+          {"i < 400; ++i", "int k = 0; k < 1000 * (i % 2); ++k", true},
           {"i < 100; ++i", "int k = 99; k <= i; ++k) for (int m = 0; m < 700; ++m", false},
           {"i < 50; ++i", "int k = 0; k < i; ++k) for (int m = k; m < 3; ++m) for (int n = 0; n < 100; ++n", false},
           {"i < 400; ++i", "int k = i; k != 7; ++k", false},

@@ -27,6 +27,25 @@ TEST(Resolve, ExactNameIsUsedAsItIs) {
     }
 }
 
+// By two spellings it would be two files for all that compare paths: changes would be offered twice.
+TEST(Resolve, OneFileHasOnePath) {
+    const Scratch folder;
+    folder.write("a.frag", "x");
+    folder.write("sub/b.inc", "x");
+    folder.write("far/deep/a.frag", "y");
+    const Files files(folder.path());
+    for (const char* name : {"a.frag", "./a.frag", "sub/../a.frag", "sub/./..//a.frag"}) {
+        EXPECT_EQ(files.resolve(name).path, folder.path("a.frag")) << name;
+        EXPECT_EQ(files.find(name).path, folder.path("a.frag")) << name;
+    }
+    EXPECT_EQ(files.resolve_beside(folder.path("sub/b.inc"), "../a.frag").path, folder.path("a.frag"));
+    EXPECT_EQ(files.resolve_beside(folder.path("sub/../sub/b.inc"), "b.inc").path, folder.path("sub/../sub/b.inc"));
+    EXPECT_EQ(files.resolve("sub/b.inc").path, folder.path("sub/../sub/b.inc")) << "the first one stays";
+    ASSERT_EQ(symlink(folder.path("far/deep").c_str(), folder.path("link").c_str()), 0);
+    folder.write("far/a.frag", "z");
+    EXPECT_EQ(files.resolve("link/../a.frag").path, folder.path("link/../a.frag")) << "that is far/a.frag";
+}
+
 TEST(Resolve, CaseOfEveryComponentIsForgiven) {
     const Scratch folder;
     folder.write("Textures/Stone/Wall.BMP", "x");
@@ -213,7 +232,8 @@ TEST(Resolve, BesideAnIncludingFile) {
     const std::string from = folder.path("lib/optics.glsl");
     EXPECT_EQ(files.resolve_beside(from, "deep/fresnel.glsl").path, folder.path("lib/deep/fresnel.glsl"));
     EXPECT_EQ(files.resolve_beside(from, "../common.glsl").path, folder.path("lib/../common.glsl"));
-    EXPECT_EQ(files.resolve_beside(from, "common.glsl").path, folder.path("common.glsl")) << "or the scene's folder";
+    EXPECT_EQ(Files(folder.path()).resolve_beside(from, "common.glsl").path, folder.path("common.glsl"))
+        << "or the scene's folder";
     EXPECT_TRUE(files.resolve_beside(from, "none.glsl").path.empty());
 }
 

@@ -174,6 +174,22 @@ TEST_P(StageDetails, StructuresOfArraysPass) {
     EXPECT_EQ(emitted.count({255, 0, 0, 255}), 64 * 64);
 }
 
+// Nor this.
+TEST_P(StageDetails, ArraysOfArraysPass) {
+    write("a.vert",
+          "const int N = 3; out vec2 many[2][N]; flat out ivec2 whole[2][2];\nvoid main() {\n"
+          "    for (int i = 0; i < 2; ++i) for (int k = 0; k < N; ++k) many[i][k] = gl_Vertex.xy * float(3 * i + k);\n"
+          "    for (int i = 0; i < 4; ++i) whole[i / 2][i % 2] = ivec2(-i, i * i);\n    gl_Position = gl_Vertex;\n}\n");
+    write("a.frag",
+          "const int N = 3; in vec2 many[2][N]; flat in ivec2 whole[2][2];\nvoid main() {\n    bool fits = true;\n"
+          "    for (int i = 0; i < 6; ++i) fits = fits && distance(many[i / N][i % N], many[0][1] * float(i)) < 1e-4;\n"
+          "    for (int i = 0; i < 4; ++i) fits = fits && whole[i / 2][i % 2] == ivec2(-i, i * i);\n"
+          "    gl_FragColor = vec4(fits, length(many[0][1]) > 0. ? 0. : 1., 0., 1.);\n}\n");
+    const auto document = open("Vertex a.vert\nFragment a.frag\nProgram P\nQuadXY 0. 1.\n");
+    expect_clean(*document);
+    EXPECT_EQ(draw(*document).count({255, 0, 0, 255}), 64 * 64);
+}
+
 // What there is without layers and streams.
 TEST_P(StageDetails, TheFirstLayerAndStreamAreOrdinary) {
     write("s.geom",
@@ -181,7 +197,14 @@ TEST_P(StageDetails, TheFirstLayerAndStreamAreOrdinary) {
           "    gl_ViewportIndex = 0;\n"
           "    for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position; EmitStreamVertex(0); }\n"
           "    EndStreamPrimitive(0);\n}\n");
+    write("c.geom",
+          "#define S 0\nlayout(triangles) in; layout(triangle_strip, max_vertices = 3) out; const int first = 0;\n"
+          "void main() {\n    const int own = first * 2;\n"
+          "    for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position; EmitStreamVertex( own ); }\n"
+          "    EndStreamPrimitive(first + S);\n}\n");
     write("s.frag", "void main() { gl_FragColor = vec4(1., 0., 0., 1.); }\n");
+    const Picture constant = picture("Vertex s.vert\nGeometry c.geom\nFragment s.frag\nProgram P\nQuadXY 0. 1.\n");
+    EXPECT_EQ(constant.count({255, 0, 0, 255}), 64 * 64);
     const Picture all = picture("Vertex s.vert\nGeometry s.geom\nFragment s.frag\nProgram P\nQuadXY 0. 1.\n");
     EXPECT_EQ(all.count({255, 0, 0, 255}), 64 * 64);
 }

@@ -262,6 +262,24 @@ std::string shown(const std::vector<float>& pixels, std::size_t n) {
     return text;
 }
 
+// Where a branch stood between two constants, Mesa makes them one: docs/architecture.md says how much floats differ.
+TEST_F(RandomPrograms, RoundOnceLessWhereNoBranchIs) {
+    folder.write("a.bmp", bmp(1, 1, {{200, 0, 0}}));
+    const Values values = [] {
+        std::mt19937 random(1);
+        return some_values(random);
+    }();
+    for (const char* body : {"a = vST.y + .1; if (uI0 == uI0 && uI1 > -1000) b = a * .1; else b = a; c = b * .3;\n",
+                             "a = vST.y; b = uI1 > -1000 ? .1 + a : c; c = b + .7;\n"}) {
+        const std::string path = scene({of_one_program, body}, values);
+        auto any = open_file(path), settled = open_settled(path);
+        const std::vector<float> pixels = floats_of(*any), others = floats_of(*settled);
+        ASSERT_EQ(pixels.size(), others.size());
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            EXPECT_NEAR(pixels[i], others[i], 2.4e-7 * std::max(1.F, std::abs(pixels[i]))) << body << i;
+    }
+}
+
 TEST_F(RandomPrograms, GiveWhatThoseForAnyValuesGive) {
     folder.write("a.bmp", bmp(2, 1, {{200, 0, 0}, {10, 255, 0}}));
     const int first = number_of("SNELL_RANDOM_FIRST", 0);

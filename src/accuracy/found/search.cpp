@@ -121,6 +121,7 @@ void Search::Impl::open() {
         if (options.times) clock = scene.choose_clock(trials->variant());
         small();
         scene.warm_up(trials->variant(), clock);
+        if (options.times) result.quick_size = trials->quick_size({settings.width, settings.height}, clock);
     });
 }
 
@@ -189,11 +190,14 @@ void Search::Impl::try_rung(std::size_t i, double part, std::function<void()> th
         const bool timed = options.times && rung.aim == Aim::cheaper;
         const auto trial = std::make_shared<Trial>(std::move(tried.trial));
         soon([this, i = tried.rung, trial, then, timed] {
+            if (timed) trial->bench->resize(result.quick_size[0], result.quick_size[1]);
             const auto warm = timed ? trial->bench->warm_up(trials->variant(), clock) : std::nullopt;
             soon([this, i, trial, then, warm] {
                 FoundRung& done = result.rungs[i];
                 if (warm) {
                     const auto quick = trials->quick_ratio(*trial, *warm, clock, [this] { return stopped(); });
+                    small();
+                    trial->bench->resize(result.search_width, result.search_height);
                     done.quick_ratio = quick.middle;
                     done.saves = quick.middle > 0 && quick.middle < least_saving && quick.high < 1;
                 }

@@ -51,7 +51,7 @@ struct FoundRung {
     // more than twice as large. The larger one counts.
     bool only_where_tried = false;
 
-    double quick_ratio = 0;            // of its time to the scene's, by a few frames; 0: not known
+    double quick_ratio = 0;            // of its time to the scene's, by a few frames of quick_size; 0: not known
     bool saves = false;                // time, as far as these frames tell; a combination: more than what it adds to
     std::optional<std::size_t> timed;  // index into FoundResult::timed (cheaper) or costs (better, unused)
     // Unused only: what the scene would not need without it.
@@ -105,6 +105,7 @@ struct FoundResult {
     int search_width = 0, search_height = 0;  // of the pictures that are compared
     // Of the pictures whose times `timed` and `costs` have: smaller, where frames are slow.
     std::array<int, 2> timed_size{0, 0}, costs_size{0, 0};
+    std::array<int, 2> quick_size{0, 0};  // of the pictures of quick_ratio: smaller, where frames are not fast
     bool interrupted = false, late = false;
     bool with_times = true;  // times were wanted
 

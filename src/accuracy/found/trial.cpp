@@ -18,7 +18,7 @@ namespace snell::accuracy {
 namespace {
 
 constexpr double quick_sample = 8, slow_frame = 30;  // milliseconds
-constexpr int quick_pairs = 7;
+constexpr int quick_pairs = 7, slower_pairs = 3;     // where a frame is a sample, few tell as much
 
 // The messages that a runtime has for its values too, and the errors of OpenGL that were made meanwhile.
 void add_problems(Bench& bench, Diagnostics& diagnostics) {
@@ -178,7 +178,22 @@ const Region& Trials::region(std::size_t place) {
     return known->second;
 }
 
+std::array<int, 2> Trials::quick_size(std::array<int, 2> whole, ClockKind clock) {
+    const auto frame = [&] { return scene().warm_up(variant(), clock).value_or(slow_frame + 1); };
+    std::array<int, 2> size{settings_.width, settings_.height};
+    std::vector<std::array<int, 2>> larger;
+    for (auto next = whole; next[0] > size[0]; next = {next[0] / 2, next[1] / 2}) larger.push_back(next);
+    for (bool fast = frame() <= slow_frame; fast && !larger.empty(); larger.pop_back()) {
+        scene().resize(larger.back()[0], larger.back()[1]);
+        fast = frame() <= slow_frame;
+        if (fast) size = larger.back();
+    }
+    scene().resize(settings_.width, settings_.height);
+    return size;
+}
+
 Trials::Quick Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, const Stop& stop) {
+    scene().resize(trial.bench->settings().width, trial.bench->settings().height);
     if (warm > slow_frame) {
         const double ratio = warm / std::max(scene().warm_up(variant(), clock).value_or(0), 1e-3);
         return {ratio, ratio};
@@ -187,11 +202,12 @@ Trials::Quick Trials::quick_ratio(Trial& trial, double warm, ClockKind clock, co
     for (Bench* bench : {trial.bench.get(), &scene()})
         entrants.push_back({[warm](ClockKind) { return warm; },  // both are
                             [bench, variant = variant()](double least) { return bench->time(variant, least); }});
-    Rounds rounds(
-        std::move(entrants),
-        {.clock = clock, .kept = 1, .control = false, .rounds = quick_pairs, .at_least = quick_sample, .stopped = [&] {
-             return stop && stop();
-         }});
+    Rounds rounds(std::move(entrants), {.clock = clock,
+                                        .kept = 1,
+                                        .control = false,
+                                        .rounds = warm > quick_sample ? slower_pairs : quick_pairs,
+                                        .at_least = quick_sample,
+                                        .stopped = [&] { return stop && stop(); }});
     rounds.run();
     std::vector<double> ratios = quotients(by_clock(rounds.times(0), clock), by_clock(rounds.times(1), clock));
     if (ratios.empty()) return {};

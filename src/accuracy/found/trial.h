@@ -57,8 +57,12 @@ public:
     // and those that differ; `only_changed`: over the latter alone. `flip`: with FLIP.
     Difference compare(const Picture& picture, std::size_t place, bool only_changed, bool flip);
 
+    // The size that quick ratios are of: the largest, up to that of the scene's picture, whose frames are fast. In
+    // small pictures, work that does not depend on pixels counts for more. At least the present size.
+    std::array<int, 2> quick_size(std::array<int, 2> whole, ClockKind clock);
     // The ratio of its time to that of the scene as it is, by a few frames in turn; 0: not known. `high`:
-    // two of three are no larger. `warm`: the milliseconds of its frames.
+    // two of three are no larger. `warm`: the milliseconds of its frames, in the size that it is timed in. Leaves the
+    // scene in that size.
     struct Quick {
         double middle = 0, high = 0;
     };

@@ -267,6 +267,12 @@ std::string found_words(const FoundResult& found) {
     if (found.broken) text += fmt::format(" But {}; these pixels are not compared.", found.broken_words());
     const bool timed = found.timed.timed();
     if (timed) text += fmt::format(" Times are of {}.", size_of_times(found, found.timed_size));
+    const bool quick =
+        ranges::any_of(found.rungs, [&](const FoundRung& rung) { return rung.quick_ratio > 0 && !found.times(rung); });
+    if (quick && found.quick_size[0] < found.width)
+        text += fmt::format(
+            " 'About' is of a few frames of {} × {}, in which work that does not depend on pixels counts for more.",
+            found.quick_size[0], found.quick_size[1]);
     if (found.costs.timed() && (!timed || found.costs_size != found.timed_size))
         text += fmt::format(" What better changes cost, and what changes no pixel, is of {}.",
                             size_of_times(found, found.costs_size));
@@ -395,6 +401,7 @@ FoundJson found_json(const FoundResult& found) {
                    {"words", found_words(found)},
                    {"size", {found.width, found.height}},
                    {"search_size", {found.search_width, found.search_height}},
+                   {"quick_size", found.quick_size},
                    {"timed_size", found.timed_size},
                    {"costs_size", found.costs_size},
                    {"clock", name(found.timed.clock)},

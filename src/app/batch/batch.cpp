@@ -89,10 +89,11 @@ Exit Batch::run() {
         cannot_write(shots_.files[records_[i].shot.index], written()[i].error);
         fail();
     }
-    if (const bool any = non_finite_ && non_finite_->nan + non_finite_->infinite > 0;
-        any || (non_finite_ && !options_.quiet))
+    if (non_finite_ && !options_.quiet) {
+        const bool any = non_finite_->nan + non_finite_->infinite > 0;
         fmt::print(stderr, "snell: {}{} pixels are NaN and {} are infinite before they are clamped{}\n",
                    any ? "warning: " : "", non_finite_->nan, non_finite_->infinite, any ? " [non-finite]" : "");
+    }
     return status_;
 }
 
@@ -364,17 +365,17 @@ void Batch::draw(Open& open, const Shot& shot) {
             open.document->sources);
     if (!options_.count_non_finite) return;
     if (!target_.framebuffer)
-        return fmt::print(stderr,
-                          "snell: warning: a picture that is drawn part by part is not counted: take a smaller "
-                          "--size [non-finite]\n");
+        return warn("a picture that is drawn part by part is not counted: take a smaller --size [non-finite]");
     frame.reached = nullptr;
     const auto found = count_non_finite(runtime, frame, size_.width, size_.height);
-    if (!found) fmt::print(stderr, "snell: warning: this OpenGL has no pictures of floats: nothing is counted\n");
-    if (found) {
-        non_finite_ = non_finite_.value_or(NonFinite{});
-        non_finite_->nan += found->nan;
-        non_finite_->infinite += found->infinite;
-    }
+    if (!found) return warn("this OpenGL has no pictures of floats: nothing is counted");
+    non_finite_ = non_finite_.value_or(NonFinite{});
+    non_finite_->nan += found->nan;
+    non_finite_->infinite += found->infinite;
+}
+
+void Batch::warn(std::string_view what) const {
+    if (!options_.quiet) fmt::print(stderr, "snell: warning: {}\n", what);
 }
 
 // Each message is printed once for a scene.

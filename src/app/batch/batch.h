@@ -122,6 +122,7 @@ private:
     void draw(Open& open, const Shot& shot);
     bool keeps_context(const std::string& file);
     void skip(const Shot& shot);
+    void warn(std::string_view what) const;
     void say(const Diagnostics& diagnostics, const Sources& sources, const std::string& scene = {});
     void fail(Exit status = exit_input) { status_ = std::max(status_, status); }
 

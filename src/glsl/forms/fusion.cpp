@@ -405,6 +405,20 @@ void Fusion::take_inputs() {
     make_plain(Storage::in, corners_, "snellI");
 }
 
+std::vector<std::string> Fusion::indices_of(const Unit& u, std::string_view dims) {
+    constexpr std::size_t most = 4096;
+    std::vector<std::string> all{""};
+    for (std::size_t at = dims.find('['); at != std::string_view::npos; at = dims.find('[', at + 1)) {
+        const int size = value_of(u, dims.substr(at + 1, dims.find(']', at) - at - 1));
+        std::vector<std::string> longer;
+        if (size > 0 && all.size() * static_cast<std::size_t>(size) <= most)
+            for (const std::string& index : all)
+                for (int i = 0; i < size; ++i) longer.push_back(index + "[" + number(i) + "]");
+        all = std::move(longer);
+    }
+    return all;
+}
+
 bool Fusion::add_numbers(const Unit& u, Type type, const std::string& from, const std::string& to,
                          std::vector<Number>& numbers) {
     if (type.dims > 1 || (type.dims == 1 && type.size <= 0) || numbers.size() > 4096) return false;

@@ -77,6 +77,8 @@ protected:
     // Statements that give variables at global scope what they begin with.
     static std::string resets(const Unit& u, const std::string& indent);
 
+    // Of dimensions such as "[2][3]": "[0][0]", "[0][1]" … Empty if a size is not known.
+    static std::vector<std::string> indices_of(const Unit& u, std::string_view dims);
     // Adds a number for each component of the variable; false if there is no way.
     static bool add_numbers(const Unit& u, Type type, const std::string& from, const std::string& to,
                             std::vector<Number>& numbers);

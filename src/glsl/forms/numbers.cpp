@@ -1,6 +1,7 @@
 // What OpenGL ES does not pass between the vertex and the fragment shader is passed as numbers, four to a vector:
-// structures that contain arrays or structures, and what is interpolated on the screen (`noperspective`). The latter is
-// multiplied by w, which the interpolation divides by, and then by 1 / w of the fragment's own place.
+// arrays of arrays, structures that contain arrays or structures, and what is interpolated on the screen
+// (`noperspective`). The latter is multiplied by w, which the interpolation divides by, and then by 1 / w of the
+// fragment's own place.
 #include <array>
 
 #include "parser/text/ranges.h"
@@ -18,9 +19,16 @@ bool nested(const Unit& u, const Type& type) {
            });
 }
 
+// Arrays of arrays, apart from the array of the vertices of a primitive.
+bool nested(const Unit& u, const Global& g) {
+    const bool in = g.qualifiers.storage == Storage::in, control = u.stage == Stage::tess_control;
+    const bool each = control || (in && (u.stage == Stage::geometry || u.stage == Stage::tess_evaluation));
+    return nested(u, g.type) || g.type.dims > (each && g.qualifiers.auxiliary != "patch" ? 2 : 1);
+}
+
 bool passes_nested(const Unit& u) {
     const auto passed = [](const Qualifiers& q) { return q.storage == Storage::in || q.storage == Storage::out; };
-    return ranges::any_of(u.globals, [&](const Global& g) { return passed(g.qualifiers) && nested(u, g.type); }) ||
+    return ranges::any_of(u.globals, [&](const Global& g) { return passed(g.qualifiers) && nested(u, g); }) ||
            ranges::any_of(u.blocks, [&](const Block& b) {
                return passed(b.qualifiers) &&
                       ranges::any_of(b.members, [&](const Member& m) { return nested(u, m.type); });
@@ -46,7 +54,7 @@ public:
     }
 
 private:
-    static bool lacking(const Unit& u, const Global& g) { return !g.removed && (on_screen(g) || nested(u, g.type)); }
+    static bool lacking(const Unit& u, const Global& g) { return !g.removed && (on_screen(g) || nested(u, g)); }
 
     void pass(Unit& vertex, Unit& fragment, Global& g, const std::vector<Port>& given) {
         const std::string name(g.name), location(g.qualifiers.layout_value("location"));
@@ -64,7 +72,15 @@ private:
 std::string Fusion::pass_as_numbers(Unit& fragment, Global& g, const std::string& from, std::string& declared) {
     const std::string name(fragment.now(g.name_token)), slots = "snell_Pass_" + name;
     std::vector<Number> numbers;
-    if (!add_numbers(fragment, g.type, from, name, numbers) || numbers.empty()) return {};
+    Type element = g.type;
+    std::vector<std::string> indices{""};
+    if (g.type.dims > 1) {
+        element.dims = 0;
+        indices = indices_of(fragment, g.dims);
+    }
+    for (const std::string& index : indices)
+        if (!add_numbers(fragment, element, from + index, name + index, numbers)) return {};
+    if (numbers.empty()) return {};
     const bool flat = g.qualifiers.interpolation == "flat", screen = on_screen(g), one = numbers.size() <= 4;
     std::string give, take;
     for (std::size_t n = 0; n < numbers.size(); ++n) {

@@ -119,6 +119,9 @@ Expression Parser::call(int name_token) {
         u_.edit(given[1].last).after += ", 0.5)";
     }
     if (wraps) e.type = make_type(Base::real, 4);
+    if ((name == "EmitStreamVertex" || name == "EndStreamPrimitive") && given.size() == 1)
+        u_.streams.push_back(
+            {e.first, e.last, given[0].value.size() == 1 ? std::optional(given[0].value.front()) : std::nullopt});
     if (ours)
         emit(Op::built_in, static_cast<int>(given.size()), modern.empty() ? name : modern, e.type);
     else

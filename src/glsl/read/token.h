@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -242,6 +243,12 @@ struct Mark {
     bool known = false;        // and their value is known: a component is 0
 };
 
+// A call of EmitStreamVertex or EndStreamPrimitive.
+struct StreamCall {
+    int first = -1, last = -1;     // tokens, ')' included
+    std::optional<double> stream;  // where it is a constant
+};
+
 struct Node;
 
 // One stage of a program.
@@ -281,9 +288,10 @@ struct Unit {
     std::vector<Misfit> misfits;
     std::map<std::string_view, int> unknown_calls;  // functions called before any declaration; first place
     std::vector<Mark> marks;                        // see read/marks.cpp
-    std::set<std::string_view> legacy_written;      // built-in variables that are assigned
-    bool alpha_known = false;                       // some write of a colour output gave it alpha 1
-    bool alpha_unknown = false;                     // some write may have given it another
+    std::vector<StreamCall> streams;
+    std::set<std::string_view> legacy_written;  // built-in variables that are assigned
+    bool alpha_known = false;                   // some write of a colour output gave it alpha 1
+    bool alpha_unknown = false;                 // some write may have given it another
 
     std::string header;      // declarations before the user's text, whole lines
     std::string main_start;  // statements at the start of main

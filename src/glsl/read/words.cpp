@@ -155,7 +155,7 @@ bool is_reserved_word(std::string_view word) {
         "fixed unsigned superp input output hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 sampler3DRect filter sizeof cast "
         "namespace using row_major sample patch subroutine precise invariant buffer shared coherent volatile "
         "restrict readonly writeonly smooth flat noperspective centroid atomic_uint demote terminateInvocation "
-        "superpatch lowp mediump highp precision samplerExternalOES column_major layout");
+        "superpatch lowp mediump highp precision samplerExternalOES column_major layout image1D image2D image3D");
     return words.contains(word);
 }
 

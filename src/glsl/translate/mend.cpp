@@ -24,8 +24,7 @@ bool meaningless(std::string_view word) {
 bool stands_as_name(const Unit& u, std::size_t i) {
     const Token& next = u.tokens[i + 1];
     const std::string_view word = u.tokens[i].text;
-    if (word == "layout" || word == "precision" || word == "highp" || word == "mediump" || word == "lowp") return false;
-    if (word == "subroutine") return next.text != "(" && next.kind == Kind::punct;
+    if (word == "subroutine" || word == "layout") return next.text != "(" && next.kind == Kind::punct;
     if (next.kind != Kind::punct || next.text == "{") return false;
     // The name of a newer type is a variable if it is used as one.
     if (builtin_type(word)) return std::string_view("=;*+-/.").find(next.text[0]) != std::string_view::npos;
@@ -74,12 +73,15 @@ void mend_number(Program& program, Unit& u, int i) {
 
 void no_doubles(Program& program, Unit& u) {
     bool told = false;
+    std::set<std::string, std::less<>> names;  // in old versions
+    for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i)
+        if (builtin_type(u.tokens[i].text) && stands_as_name(u, i)) names.emplace(u.tokens[i].text);
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const std::string_view t = u.tokens[i].text;
         if (u.tokens[i].kind != Kind::identifier || (t != "double" && !t.starts_with("dvec") && !t.starts_with("dmat")))
             continue;
         const auto type = builtin_type(t);
-        if (!type) continue;
+        if (!type || names.contains(t)) continue;
         if (!told) program.warn(u, static_cast<int>(i), "no-double", "double precision is not there: float is used");
         told = true;
         respell(u, i, type_name(Base::real, type->rows, type->cols));
@@ -92,7 +94,7 @@ void rename_all(Unit& u, std::string_view word, bool calls_too) {
     bool in_layout = false;
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const std::string_view t = u.tokens[i].text;
-        if (t == "layout") in_layout = true;
+        if (t == "layout" && u.tokens[i + 1].text == "(") in_layout = true;
         if (in_layout && t == ")") in_layout = false;
         if (t != word || in_layout || u.tokens[i].kind != Kind::identifier) continue;
         if (builtin_type(word) && calls_too) {
@@ -110,7 +112,7 @@ void collect_reserved(const Unit& u, std::map<std::string, Place>& found) {
     bool in_layout = false;
     for (std::size_t i = 0; i + 1 < u.tokens.size(); ++i) {
         const Token& t = u.tokens[i];
-        if (t.text == "layout") in_layout = true;
+        if (t.text == "layout" && u.tokens[i + 1].text == "(") in_layout = true;
         if (in_layout && t.text == ")") in_layout = false;
         if (t.kind != Kind::identifier || in_layout || !is_reserved_word(t.text) || !stands_as_name(u, i)) continue;
         found.try_emplace(std::string(t.text), Place{&u, static_cast<int>(i)});

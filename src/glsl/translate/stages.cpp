@@ -85,20 +85,18 @@ void fit_inputs(Program& program, Unit& u) {
 void first_stream(const Program& program, Unit& u) {
     for (int i = 0; i + 2 < static_cast<int>(u.tokens.size()); ++i)
         if (u.at(i).text == "gl_ViewportIndex" && u.at(i + 1).text == "=" && u.at(i + 2).text == "0") u.erase(i, i + 2);
-    for (int i = 0; i + 3 < static_cast<int>(u.tokens.size()); ++i)
-        for (const auto& [name, plain] :
-             {std::pair("EmitStreamVertex", "EmitVertex"), std::pair("EndStreamPrimitive", "EndPrimitive")}) {
-            if (u.at(i).text != name || u.at(i + 1).text != "(") continue;
-            if (u.at(i + 2).text == "0" && u.at(i + 3).text == ")") {
-                u.replace(i, plain);
-                u.replace(i + 2, "");
-            } else if (program.target().es || program.options.without_stages) {
-                program.diagnostics.error(
-                    "unsupported-stage", u.span(i),
-                    "this OpenGL has only the first stream of vertices, '" + std::string(name) + "(0)'",
-                    "what goes to another stream is not drawn: leave it out");
-            }
+    for (const StreamCall& call : u.streams) {
+        const std::string_view name = u.at(call.first).text;
+        if (call.stream == 0.) {
+            u.replace(call.first, name == "EmitStreamVertex" ? "EmitVertex" : "EndPrimitive");
+            u.erase(call.first + 2, call.last - 1);
+        } else if (program.target().es || program.options.without_stages) {
+            program.diagnostics.error(
+                "unsupported-stage", u.span(call.first),
+                "this OpenGL has only the first stream of vertices, '" + std::string(name) + "(0)'",
+                "what goes to another stream is not drawn: leave it out");
         }
+    }
 }
 
 // Where the expression that begins at `i` ends: its last token.

@@ -1,5 +1,6 @@
 // Changes whose errors are known: what a search says of them must be that.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <chrono>
 #include <cmath>
@@ -36,6 +37,30 @@ protected:
 
 constexpr std::string_view full_scene =
     "Vertex full.vert\nFragment full.frag\nProgram Full uGain <1. 1. 1.>\nQuadXY 0 1\n";
+
+// What is searched in small pictures is estimated in whole ones: a sphere of many vertices counts for less there.
+TEST_F(FoundSearch, EstimatesAreOfTheScenesOwnSize) {
+    mallopt(M_MMAP_THRESHOLD, 4 << 20);  // as the program does: otherwise frames with many vertices wait for pages
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
+    write_full(
+        "void main() { float x = gl_FragCoord.x; for (int i = 0; i < 24; ++i) x = sin(x); gl_FragColor = vec4(x); }\n");
+    read_scene(std::string(full_scene) + "Vertex full.vert\nProgram Full\nSphere .01 200 200\n");
+    SearchOptions options;
+    options.pixels = 1024;
+    options.rounds = 25;
+    options.at_least = 4;
+    const BenchSettings settings{256, 256, 0, {}};
+    Search search({folder.path("scene.glib"), read->plan, *read->files, read->sources},
+                  {change(ChangeKind::fewer_slices, "200 200", "50 50")}, caps, settings, options);
+    while (search.step()) continue;
+    const FoundResult found = search.take();
+    const std::array<int, 2> small{32, 32}, whole{256, 256};
+    EXPECT_EQ((std::array{found.search_width, found.search_height}), small);
+    EXPECT_EQ(found.quick_size, whole);
+    const RungResult* times = found.times(found.rungs.at(0));
+    ASSERT_TRUE(times);
+    EXPECT_NEAR(found.rungs[0].quick_ratio / times->ratio.middle, 1, .25) << "in small pictures, half";
+}
 
 // Numbers of the whole picture are of it: black around a quad is alike in both.
 TEST_F(FoundSearch, TheWholePictureHasFiguresOfItsOwn) {
