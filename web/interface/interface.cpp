@@ -36,7 +36,9 @@ struct Engine {
     std::string answer;            // of the last call that returned a text
     std::vector<std::byte> bytes;  // of the last picture
 
-    bool draws() { return scene.document() && scene.document()->runtime && drawing.ready(); }
+    // Values, rungs and the view are there without graphics, too, as while the browser has taken them away.
+    bool reads() { return scene.document() && scene.document()->runtime; }
+    bool draws() { return reads() && drawing.ready(); }
     Control* control(int index) {
         if (!scene.document() || index < 0) return nullptr;
         std::vector<Control>& items = scene.document()->controls.items;
@@ -44,7 +46,7 @@ struct Engine {
     }
     // Ends a gesture: what was changed since the last one is a step.
     void follow() {
-        if (!draws()) return;
+        if (!reads()) return;
         const Document& document = *scene.document();
         history.follow(document.scene(), document.controls, scene.view, {false, ++gestures, 0, sliders.moving});
     }
@@ -244,7 +246,7 @@ EMSCRIPTEN_KEEPALIVE void snell_animate(Engine* engine, int index, int component
 
 // Moves what moves by itself to this time.
 EMSCRIPTEN_KEEPALIVE void snell_advance(Engine* engine, double time) {
-    if (engine->draws()) animate(engine->scene.document()->controls, engine->sliders.moving, time);
+    if (engine->reads()) animate(engine->scene.document()->controls, engine->sliders.moving, time);
 }
 
 EMSCRIPTEN_KEEPALIVE void snell_follow(Engine* engine) { engine->follow(); }
@@ -292,7 +294,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_state(Engine* engine) {
               {"view", view_text(engine->scene.view)},
               {"canUndo", engine->history.done() > 0 || !engine->sliders.moving.empty()},
               {"canRedo", engine->history.done() < engine->history.size()}};
-    if (engine->draws()) {
+    if (engine->reads()) {
         const Document& document = *engine->scene.document();
         const Setup changed = changed_setup(document.scene(), document.controls);
         json["controls"] = controls_json(document, engine->sliders);
@@ -312,7 +314,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_set_view(Engine* engine, const char* text
 
 // `begins`: another drag than before. One that begins with the scene upside down turns the other way.
 EMSCRIPTEN_KEEPALIVE void snell_turn(Engine* engine, double dx, double dy, int begins) {
-    if (!engine->draws()) return;
+    if (!engine->reads()) return;
     const Scene& scene = engine->scene.document()->scene();
     if (begins) engine->hold.flipped = upside_down(engine->scene.view.scene, scene);
     apply({.turn = {dx, dy}}, scene, 1, engine->scene.view, engine->hold);
@@ -320,13 +322,13 @@ EMSCRIPTEN_KEEPALIVE void snell_turn(Engine* engine, double dx, double dy, int b
 
 // In CSS pixels, on a picture of that size; `toward`: to the viewer.
 EMSCRIPTEN_KEEPALIVE void snell_move(Engine* engine, double dx, double dy, double width, double height, double toward) {
-    if (!engine->draws()) return;
+    if (!engine->reads()) return;
     const double shorter = std::max(1., std::min(width, height));
     apply({.move = {dx, -dy, toward}}, engine->scene.document()->scene(), shorter, engine->scene.view, engine->hold);
 }
 
 EMSCRIPTEN_KEEPALIVE void snell_zoom(Engine* engine, double factor) {
-    if (engine->draws())
+    if (engine->reads())
         apply({.scale = factor}, engine->scene.document()->scene(), 1, engine->scene.view, engine->hold);
 }
 
@@ -387,7 +389,7 @@ EMSCRIPTEN_KEEPALIVE void snell_free_bytes(Engine* engine) { engine->bytes = {};
 
 EMSCRIPTEN_KEEPALIVE const char* snell_saved(Engine* engine) {
     Json json{{"files", Json::array()}, {"unwritten", Json::array()}, {"error", ""}};
-    if (!engine->draws()) return engine->tell(json);
+    if (!engine->reads()) return engine->tell(json);
     const Saved saved = saved_values(*engine->scene.document());
     json["error"] = saved.error;
     for (const SavedFile& file : saved.files)

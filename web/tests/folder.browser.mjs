@@ -31,7 +31,8 @@ function standIn() {
         await writer.close();
     };
     window.removed = async (name) => (await folder()).removeEntry(name);
-    window.text = async (name) => (await (await (await folder()).getFileHandle(name)).getFile()).text();
+    // Empty while it is being written.
+    window.text = async (name) => (await (await (await folder()).getFileHandle(name)).getFile()).text().catch(() => '');
 }
 
 const message = (pattern) => until(page, (text) => new RegExp(text).test(document.querySelector('.message').textContent), pattern.source);
@@ -183,6 +184,62 @@ test('what is typed while the file is written stays an edit', async () => {
     assert.match(await text('a.glib'), /^# one\r\ntwo # mine/);
     await put('a.glib', scene.replace('first', 'mine'));
     await shown('^# mine');
+});
+
+test('a text that was changed twice is not saved before it is said whose it is', async () => {
+    const before = await text('a.glib');
+    const theirs = before.replace('# mine', '# theirs');
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await chord(page, 'Home');
+    await page.keyboard.type('# here\n');
+    await page.waitForSelector('.editor-tabs [data-edited=true]');
+    await put('a.glib', theirs);
+    for (const answer of ['Cancel', 'Cancel', 'Keep my edits']) {
+        await page.waitForSelector('.editor-dialog[open]');
+        await press(page, answer, '.editor-dialog[open]');
+        await until(page, () => !document.querySelector('.editor-dialog[open]'));
+        assert.equal(await text('a.glib'), theirs);
+        await press(page, 'Save', '.tools');
+        if (answer === 'Cancel') await message(/^$|^Nothing was written: a\.glib is changed by another program, too\./);
+    }
+    await until(page, async () => (await window.text('a.glib')).startsWith('# here'));
+    await put('a.glib', before);
+    await shown('^# mine');
+});
+
+test('values are there again after another scene of the folder', async () => {
+    const open = async (name) => {
+        await press(page, 'Scenes', '.tools');
+        await page.waitForSelector('.editor-dialog[open] .thumb canvas');
+        await press(page, name, '.editor-dialog[open]');
+        await until(page, (name) => document.title === name.replace(/^.*\/|\.glib$/g, ''), name);
+        await drawn(page);
+    };
+    await type('6.5');
+    await open('room/b.glib');
+    assert.notEqual(await number(), 6.5);
+    await open('room/a.glib');
+    assert.equal(await number(), 6.5);
+    await openText(page);
+    await press(page, 'Reset all', '.tools');
+});
+
+test('a slider that is dragged while its scene is saved goes on', async () => {
+    const { x, y, width, height } = await (await page.$('.row.slider input[type=range]')).boundingBox();
+    await page.mouse.move(x + .3 * width, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + .6 * width, y + height / 2, { steps: 5 });
+    const before = await text('a.glib');
+    await chord(page, 's');
+    await until(page, async (before) => (await window.text('a.glib')) !== before, before);
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    const saved = await number();
+    await page.mouse.move(x + .9 * width, y + height / 2, { steps: 5 });
+    await page.mouse.up();
+    assert.ok((await number()) > saved + 1, `${saved}, ${await number()}`);
+    await put('a.glib', before);
+    await shown('^# mine');
+    await press(page, 'Reset all', '.tools');
 });
 
 test('a file that is gone is an error, and one that comes back is none', async () => {

@@ -297,6 +297,21 @@ async function drop(contents) {
     }, contents);
 }
 
+test('values that are set while the graphics are gone are taken, kept and saved', async () => {
+    await show('a.glib');
+    await page.evaluate(() => document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());
+    await page.waitForFunction(() => /took the graphics away/.test(document.querySelector('.message').textContent));
+    await page.click('.row.slider > .number');
+    await page.keyboard.type('7');
+    await page.keyboard.press('Enter');
+    assert.equal(await number(), 7);
+    await pause(500);
+    assert.equal(await page.evaluate(() => location.hash), '#P.uA=7');
+    await page.click('.menu > summary');
+    await page.$$eval('.menu button', (all) => all.find(({ textContent }) => textContent === 'Text with these values').click());
+    await page.waitForFunction(() => /^Saved a\.glib with these values/.test(document.querySelector('.message').textContent));
+});
+
 test('scenes that are opened one after the other leave nothing behind', async () => {
     await show('a.glib');
     await page.waitForSelector('.editor'); // it takes what is dropped

@@ -81,6 +81,7 @@ export function makeEditor(host: EditorHost): Editor {
         problems: () => session.problems,
         edited: () => session.edited(),
         download: save.all,
+        save: () => living.save(),
         add: (files) => session.add(files),
     });
     const dialog = makeDialog('Open a scene');

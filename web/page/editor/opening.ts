@@ -14,9 +14,11 @@ import { makeWelcome } from './welcome.ts';
 export interface Author {
     host: EditorHost;
     problems(): readonly Problem[];
-    // Names of files whose edits were not downloaded.
+    // Names of files whose edits were not saved.
     edited(): string[];
     download(): void;
+    // Into the folder. False: nothing was written.
+    save(): Promise<boolean>;
     add(files: Map<string, Uint8Array>): void;
 }
 
@@ -51,12 +53,10 @@ async function leave(author: Author, names: readonly string[]): Promise<boolean>
     const edited = author.edited().filter((name) => names.includes(name));
     if (edited.length === 0) return true;
     const list = edited.map((name) => `'${name}'`).join(', ');
-    const answer = await ask('Edited files', `These edits were not downloaded: ${list}.`, [
-        { text: 'Download, then continue', value: 'download' },
-        { text: 'Discard the edits', value: 'discard' },
-    ]);
+    const keep = author.host.folder ? { text: 'Save, then continue', value: 'save' } : { text: 'Download, then continue', value: 'download' };
+    const answer = await ask('Edited files', `These edits were not saved: ${list}.`, [keep, { text: 'Discard the edits', value: 'discard' }]);
     if (answer === 'download') author.download();
-    return answer !== undefined;
+    return answer === 'save' ? author.save() : answer !== undefined;
 }
 
 async function open(author: Author, scene: string, { files, folder }: Omit<Unpacked, 'messages'>): Promise<void> {

@@ -15,7 +15,7 @@ import { makeHelp, makePictureDialog } from './dialogs.ts';
 import { makeDivider } from './divider.ts';
 import { ask } from '../dialog.ts';
 import { button, canvasOf, el, painted, stored } from '../dom.ts';
-import { readFragment, type Settings } from './fragment.ts';
+import { fragmentOf, readFragment, type Settings } from './fragment.ts';
 import { listen } from './gestures.ts';
 import { listenForKeys } from './keys.ts';
 import { makeLayout } from './layout.ts';
@@ -97,6 +97,8 @@ export class Page {
     private risked = '';
     // The scene is the page's own, not one that was opened in it.
     private own = true;
+    // Settings of the other scenes of the folder, as they were left.
+    private readonly left = new Map<string, string>();
     private about: unknown; // of the message that is shown
     private silence: ReturnType<typeof setTimeout> | undefined;
 
@@ -216,7 +218,7 @@ export class Page {
         layout.app.append(picture.element);
         const none = this.contents?.data;
         const has = none && (none.values.length > 0 || none.rungs.length > 0 || none.view !== '');
-        this.address = new Address(() => this.settings(), has ? 'initial' : '', () => this.follow());
+        this.address = new Address(() => (this.addressed ? this.settings() : undefined), has ? 'initial' : '', () => this.follow());
     }
 
     private listen(): void {
@@ -352,9 +354,9 @@ export class Page {
         this.say(copied ? `The link to this picture is copied.${without}` : 'The browser does not allow copying: copy the address of the page.');
     }
 
-    // What differs from the scene, for the address. Undefined: there is no scene, or one that a link cannot lead to.
+    // What differs from the scene, for the address. Undefined: there is no scene.
     private settings(): Settings | undefined {
-        if (this.lost || !this.session.shown || !this.addressed) return undefined;
+        if (this.dead || !this.session.shown) return undefined;
         const { shown } = this.session;
         const { values, rungs, ranges, view } = this.session.engine.state();
         const time = shown.animated && !this.clock.playing && this.clock.time > 0 ? this.clock.time : undefined;
@@ -376,9 +378,8 @@ export class Page {
     private open(scene: string, fragment: string): void {
         const { session, contents } = this;
         const own = this.own ? contents?.data : undefined;
-        const { addressed } = this;
         const given = /^#?$/.test(fragment) ? undefined : fragment.replace(/^#initial$/, '#');
-        const { settings, refused } = readFragment(addressed ? (given ?? '') : '');
+        const { settings, refused } = readFragment(given ?? '');
         const from = given === undefined && own ? { ...settings, values: own.values, rungs: own.rungs, view: own.view } : settings;
         const { values, rungs, ranges, view } = from;
         let opened = session.engine.open(scene, { values, rungs, ranges, view, fresh: true, lints: true });
@@ -427,20 +428,23 @@ export class Page {
         this.fail(`The scene has ${errors} ${errors === 1 ? 'error' : 'errors'}. They are listed below.`);
     }
 
-    private async openFiles(scene: string, files: Map<string, Uint8Array>): Promise<void> {
+    private async openFiles(scene: string, files: Map<string, Uint8Array>, fragment = this.addressed ? location.hash : ''): Promise<void> {
         const { engine, checker } = this.contents!;
         this.progress('Decoding images…');
         const decoded = await checker.decodeLarge(files);
         this.progress('Compiling…');
         await painted();
         for (const [name, bytes] of files) engine.write(name, decoded.get(name) ?? bytes);
-        this.open(scene, location.hash);
+        this.open(scene, fragment);
         performance.mark('Compiled');
         this.refreshTitle();
     }
 
     private async openScene(scene: string, files: Map<string, Uint8Array>, folder?: Folder): Promise<void> {
         const host = this.host!;
+        const settings = this.settings();
+        if (files !== host.files) this.left.clear();
+        else if (settings) this.left.set(host.scene, fragmentOf(settings));
         for (const name of host.files.keys()) this.session.engine.remove(name);
         const place = `${folder ? 'folder' : 'files'}\n${scene}`;
         Object.assign(host, { scene, files: new Map(files), folder, place });
@@ -452,8 +456,9 @@ export class Page {
         this.layout.app.dataset.folder = String(folder !== undefined);
         this.layout.app.dataset.scenes = String([...files.keys()].filter(isScene).length > 1);
         if (location.hash !== '' && !this.returns) history.replaceState(null, '', location.href.replace(/#.*$/, ''));
+        const fragment = this.left.get(scene) ?? (this.returns ? location.hash : '');
         this.returns = false;
-        await this.openFiles(scene, files);
+        await this.openFiles(scene, files, fragment);
         this.makeEditor()?.opened();
         this.editor?.show(this.current);
     }

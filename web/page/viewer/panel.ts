@@ -88,7 +88,7 @@ export function makePanel(session: Session, split: HTMLElement, say: Say, time: 
     const list = el('div', { class: 'list' });
     const element = el('div', { class: 'controls' }, ladders, list);
     let groups: Group[] = [];
-    let before = '';
+    let built: readonly Control[] = [];
     let scene: string | undefined;
 
     const build = () => {
@@ -111,20 +111,19 @@ export function makePanel(session: Session, split: HTMLElement, say: Say, time: 
     };
     const rebuild = () => {
         buildLadders();
-        // Rows hold their controls, which are new after each open(): the focus and the scroll stay where they are.
+        const same = session.controls.length === built.length && session.controls.every((control, i) => control === built[i]);
+        if (same && session.shown?.scene === scene) return refresh();
         const focused = document.activeElement?.getAttribute('aria-label');
         const again = list.contains(document.activeElement) ? focused : undefined;
-        const now = JSON.stringify(session.controls.map(({ key }) => key));
-        const scroll = now === before ? (element.parentElement?.scrollTop ?? 0) : 0;
         // Another scene begins with all of its sliders.
         const old = session.shown?.scene === scene ? groups : [];
         const closed = new Set(old.filter((group) => !group.element.querySelector('details')?.open).map((group) => group.rows[0]?.names));
-        before = now;
+        built = session.controls;
         scene = session.shown?.scene;
         build();
         for (const group of groups) if (closed.has(group.rows[0]?.names)) group.element.querySelector('details')!.open = false;
         refresh();
-        if (element.parentElement) element.parentElement.scrollTop = scroll;
+        if (element.parentElement) element.parentElement.scrollTop = 0;
         if (again) [...list.querySelectorAll('input')].find((input) => input.getAttribute('aria-label') === again)?.focus();
     };
     const refresh = () => groups.forEach((group) => group.refresh());

@@ -25,6 +25,11 @@ export function nameOf(control: Control, component: number): string {
     return count <= 4 ? `${control.name}.${'xyzw'[component]}` : `${control.name}[${component}]`;
 }
 
+// Of controls whose rows are the same ones.
+function shapeOf(controls: readonly Control[]): string {
+    return JSON.stringify(controls.map(({ index, key, widget, value }) => [index, key, widget, value.length]));
+}
+
 export class Session {
     shown: Shown | undefined;
     state: State;
@@ -57,7 +62,10 @@ export class Session {
     accept(opened: Opened): void {
         this.on.problems(opened.problems);
         if (!opened.shown) return;
+        // The same controls stay the same objects, so that a slider that is being dragged goes on.
+        const before = this.controls;
         this.shown = opened.shown;
+        if (shapeOf(before) === shapeOf(this.controls)) this.shown.controls = before.map((control, i) => Object.assign(control, this.controls[i]));
         this.state = this.engine.state();
         this.on.listed();
         this.on.redraw(false);
