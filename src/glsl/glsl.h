@@ -21,6 +21,8 @@ struct Target {
     int version = 330;  // 330, 410, 450 …; with es: 300, 320
     bool es = false;
     bool fp64 = true;  // doubles are there
+
+    bool has_precise() const { return !es || version >= 320; }
 };
 
 // One stage of a program: its text is in Sources, so that messages can point into it.

@@ -42,6 +42,30 @@ TEST_P(StageDetails, NumbersThatNoGeometryShaderGivesAreZero) {
     EXPECT_EQ(all.count({255, 0, 0, 255}), 64 * 64);
 }
 
+TEST_P(StageDetails, RedeclarationsAndOldSizesOfArrays) {
+    write("s.vert",
+          "out vec4 a, b;\ninvariant a, gl_Position;\nprecise b, gl_Position;\ninvariant gl_PointSize;\n"
+          "void main() { a = b = vec4(.5); gl_PointSize = 1.; gl_Position = gl_Vertex; }\n");
+    write("s.frag", "in vec4 c;\nvoid main() { gl_FragColor = c; }\n");
+    write("s.geom",
+          "layout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\nin vec4 a[], b[];\n"
+          "invariant gl_Position;\nprecise gl_Position;\nout vec4 c;\ninvariant centroid out vec4 d;\nprecise c;\n"
+          "void main() {\n"
+          "    for (int i = 0; i < 3; ++i) { c = d = a[i] + b[i]; gl_Position = gl_in[i].gl_Position; EmitVertex(); }\n"
+          "}\n");
+    const std::string scene = "Vertex s.vert\nGeometry s.geom\nFragment s.frag\nProgram P\nQuadXY 0. 1. 4 4\n";
+    EXPECT_EQ(picture(scene).count({255, 255, 255, 255}), 64 * 64);
+
+    folder.write("s.geom",
+                 "#version 120\n#extension GL_EXT_geometry_shader4 : enable\nvarying in vec4 a[gl_VerticesIn];\n"
+                 "varying in vec4 b[gl_VerticesIn];\nvarying out vec4 c;\ninvariant gl_Position;\nvoid main() {\n"
+                 "    for (int i = 0; i < gl_VerticesIn; ++i) {\n        c = a[i] + b[i];\n"
+                 "        gl_Position = gl_PositionIn[i];\n        EmitVertex();\n    }\n}\n");
+    EXPECT_EQ(
+        picture("GeometryInput gl_triangles\nGeometryOutput gl_triangle_strip\n" + scene).count({255, 255, 255, 255}),
+        64 * 64);
+}
+
 TEST_P(StageDetails, EachInvocationChoosesALevel) {
     write("s.tcs",
           "layout(vertices = 3) out;\nvoid main() {\n    int i = gl_InvocationID;\n"

@@ -139,6 +139,19 @@ TEST(GlslLegacy, SmoothstepIsOurs) {
     EXPECT_FALSE(translated(own).has(Stage::fragment, "step(a, x)"));
 }
 
+// OpenGL ES has it since version 3.2.
+TEST(GlslLegacy, PreciseIsLeftOutWhereItIsUnknown) {
+    const Texts texts = {
+        {Stage::vertex,
+         "#version 400 compatibility\nprecise gl_Position;\nprecise out vec4 a;\nout vec4 b;\n"
+         "invariant a, gl_Position;\nprecise a, b;\nvoid main() { precise vec4 c = gl_Vertex * 2.; "
+         "a = b = c; gl_Position = ftransform(); }"},
+        {Stage::fragment, "#version 400 compatibility\nin vec4 a, b;\nvoid main() { gl_FragColor = a + b; }"}};
+    expect_valid(texts, {core450, core410, es320, es300});
+    EXPECT_TRUE(translated(texts).has(Stage::vertex, "precise gl_Position;"));
+    EXPECT_FALSE(translated(texts, es300).has(Stage::vertex, "precise"));
+}
+
 TEST(GlslLegacy, RedeclaredBuiltInsAreDropped) {
     expect_valid(
         {{Stage::vertex,

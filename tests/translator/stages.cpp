@@ -60,6 +60,26 @@ TEST(GlslStages, OldGeometryTakesItsTopologyFromTheScene) {
     expect_valid(texts);
 }
 
+TEST(GlslStages, OldArraysHaveTheSizeOfThePrimitive) {
+    const Texts texts = {
+        {Stage::vertex, "varying vec3 n; varying vec3 m; void main() { n = m = gl_Normal; gl_Position = gl_Vertex; }"},
+        {Stage::geometry,
+         "#version 120\n#extension GL_EXT_geometry_shader4 : enable\nvarying in vec3 n[gl_VerticesIn];\n"
+         "varying in vec3[gl_VerticesIn] m;\nvarying out vec3 g;\nvec3 kept[gl_VerticesIn + 1], one = n[0];\n"
+         "void main() { kept[gl_VerticesIn] = m[1]; g = kept[gl_VerticesIn] + one; gl_Position = gl_PositionIn[0]; "
+         "EmitVertex(); }"},
+        {Stage::fragment, "varying vec3 g; void main() { gl_FragColor = vec4(g, 1.); }"}};
+    Translated t;
+    Options options;
+    options.target = core450;
+    options.geometry_input = "gl_lines";
+    translate_texts(t, texts, options);
+    EXPECT_TRUE(t.has(Stage::geometry, "in vec3 n[2];"));
+    EXPECT_TRUE(t.has(Stage::geometry, "vec3 kept[2+1];"));
+    expect_accepted(t.translation, true);
+    expect_valid(texts);
+}
+
 TEST(GlslStages, TessellationWithLegacyMatrices) {
     expect_valid(
         {{Stage::vertex, "#version 400 compatibility\nvoid main() { gl_Position = gl_Vertex; }"},

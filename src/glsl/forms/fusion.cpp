@@ -266,12 +266,16 @@ void Fusion::share_declarations() {
 }
 
 void Fusion::leave_redeclarations(Unit& u) {
-    for (const auto& [first, last] : u.invariants) u.erase(first, last);
-    u.invariants.clear();
+    const auto leave = [&](int first, int last) {
+        u.erase(first, last);
+        for (int k = first; k <= last; ++k) u.tokens[static_cast<std::size_t>(k)].text = {};  // no name to replace
+    };
+    for (const auto& [first, last] : u.redeclared) leave(first, last);
+    u.redeclared.clear();
     for (Global& g : u.globals)
         if (passes(g.qualifiers) && g.name.starts_with("gl_")) g.removed = g.dirty = true;
     for (const Block& b : u.blocks)
-        if (b.name == "gl_PerVertex") u.erase(b.first, b.last);
+        if (b.name == "gl_PerVertex") leave(b.first, b.last);
 }
 
 // Drivers warn of what the text reads above the statement that sets it.

@@ -143,7 +143,10 @@ Qualifiers Parser::qualifiers() {
         if (t == "centroid" || t == "sample" || t == "patch") q.auxiliary = t;
         if (t == "highp" || t == "mediump" || t == "lowp") q.precision = t;
         if (t == "invariant") q.invariant = true;
-        if (t == "precise") q.precise = true;
+        if (t == "precise") {
+            q.precise = true;
+            if (!target_.has_precise()) u_.replace(p_ - 1, "");
+        }
         if (t == "coherent" || t == "volatile" || t == "restrict" || t == "readonly" || t == "writeonly")
             q.memory += std::string(t) + " ";
     }
@@ -331,7 +334,7 @@ void Parser::external() {
     if (interface && token().kind == Kind::identifier && is("{", 1) && !is("struct")) return block(q, first);
     if (p_ > first && (q.invariant || q.precise) && token().kind == Kind::identifier && (is(";", 1) || is(",", 1))) {
         skip_to_semicolon();
-        if (q.invariant) u_.invariants.emplace_back(first, p_ - 1);  // invariant gl_Position;
+        u_.redeclared.emplace_back(first, p_ - 1);  // invariant gl_Position;
         return;
     }
     Group group;

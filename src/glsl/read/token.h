@@ -279,7 +279,7 @@ struct Unit {
     std::vector<Function> functions;
     std::unordered_set<std::string_view> function_names;
     std::vector<StageLayout> layouts;
-    std::vector<std::pair<int, int>> invariants;           // tokens of `invariant A, B;`
+    std::vector<std::pair<int, int>> redeclared;           // tokens of `invariant A, B;` and `precise A, B;`
     std::unordered_set<std::string_view> shared_by_kinds;  // names of a function and of a variable
 
     Code<Type> code;

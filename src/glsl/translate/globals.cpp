@@ -87,6 +87,7 @@ void keep_binding(Program& program, const Global& g) {
 void adjust(Program& program, const Unit& u, Global& g) {
     const Target& target = program.target();
     Qualifiers& q = g.qualifiers;
+    if (!target.has_precise()) set(g, q.precise, false);
     if (q.attribute || q.varying) g.dirty = true;
     if (q.constant && q.storage != Storage::constant && q.storage != Storage::plain) {
         program.warn(u, g.name_token, "const-interface",
@@ -139,8 +140,8 @@ void rewrite(Unit& u, const Group& group) {
 }
 
 // `invariant A, B;`, less what passes between no stages any more, what is ours, and inputs: only versions before 4.20
-// want the word on both sides.
-void write_invariants(const Target& target, Unit& u, int first, int last) {
+// want the word on both sides. The same of `precise`, where the target has it.
+void write_redeclared(const Target& target, Unit& u, int first, int last) {
     const auto stays = [&](std::string_view name) {
         if (const LegacyName* legacy = legacy_name(name)) return legacy->kind == LegacyKind::core;
         const auto global = ranges::find(u.globals, name, &Global::name);
@@ -156,9 +157,10 @@ void write_invariants(const Target& target, Unit& u, int first, int last) {
         else
             all = false;
     }
-    if (all) return;
+    const bool precise = u.at(first).text == "precise", lacks = precise && !target.has_precise();
+    if (all && !lacks) return;
     u.erase(first, last);
-    if (!names.empty()) u.replace(first, "invariant " + names + ";");
+    if (!names.empty() && !lacks) u.replace(first, (precise ? "precise " : "invariant ") + names + ";");
 }
 
 }  // namespace
@@ -198,7 +200,7 @@ void move_initialisers(Program& program, Unit& u) {
 }
 
 void write_declarations(Program& program, Unit& u) {
-    for (const auto& [first, last] : u.invariants) write_invariants(program.target(), u, first, last);
+    for (const auto& [first, last] : u.redeclared) write_redeclared(program.target(), u, first, last);
     for (Global& g : u.globals) adjust(program, u, g);
     for (const Group& group : u.groups) {
         if (group.last < 0) continue;

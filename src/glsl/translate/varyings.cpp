@@ -213,6 +213,15 @@ std::string limit(const Unit& u, std::string_view name) {
     return "8";
 }
 
+// Dimensions of arrays at global scope are kept as they were written.
+void replace_limit(Unit& u, int i, std::string_view name) {
+    const std::string value = limit(u, name);
+    u.replace(i, value);
+    for (Global& g : u.globals)
+        for (std::size_t at = g.dims.find(name); at != std::string::npos; at = g.dims.find(name))
+            g.dims.replace(at, name.size(), value);
+}
+
 void replace_per_vertex_in(Unit& u, int i, std::string_view name) {
     const std::string_view stem = name.substr(0, name.size() - 2);
     const bool core = stem == "gl_Position" || stem == "gl_PointSize";
@@ -306,7 +315,7 @@ void replace_one(Context& c, Unit& u, int i, const LegacyName& name) {
             if (fragment) declare_fragment_color(u, i, name.name, c.program.options.color_outputs);
             return;
         case LegacyKind::limit:
-            u.replace(i, limit(u, name.name));
+            replace_limit(u, i, name.name);
             return;
         case LegacyKind::per_vertex_in:
             if (u.stage != Stage::vertex && !fragment) replace_per_vertex_in(u, i, name.name);
