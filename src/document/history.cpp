@@ -127,7 +127,8 @@ void History::follow_text(const std::string& name, const Control& old, const Con
            numbers_text({control.initial_min, control.initial_max}));
 }
 
-void History::reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving) {
+void History::reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving,
+                     Follow follow) {
     before_ = {};
     Controls now = controls;
     rest(scene, now, moving);
@@ -137,6 +138,11 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
         if (found == names_.end()) continue;
         const Control& old = controls_.items[static_cast<std::size_t>(found - names_.begin())];
         Control& control = now.items[i];
+        if (follow == Follow::memory) {
+            if (old.value != control.value && old.value.size() == control.value.size())
+                take_value(old, control, follow);  // a change that is not a step yet
+            continue;
+        }
         // What the text did not list had no value of its own there.
         const bool followed = old.value != control.value || (control.listed && !old.listed);
         if (old.initial != control.initial && followed) follow_text(names[i], old, control);

@@ -47,8 +47,10 @@ public:
     // Steps are counted from this state.
     void begin(const Scene& scene, const Controls& controls, const View& view);
     // Call it after the scene was read again: what its text changed is not a step. What moves keeps the value from
-    // before its motion, whatever the text says: a save may have written where it was.
-    void reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving = {});
+    // before its motion, whatever the text says: a save may have written where it was. Unless values follow the text,
+    // what differs from the last call was changed by the user.
+    void reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving = {},
+                Follow follow = Follow::text);
     // Makes a step of what was changed since the last call, or extends the last step if it changed the same in the same
     // gesture, such as turns of the wheel or repeats of a key. Returns true if there was a change.
     bool follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);

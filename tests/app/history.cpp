@@ -52,12 +52,14 @@ protected:
     std::string undo() { return history_.undo(state()); }
     std::string redo() { return history_.redo(state()); }
     // The text was edited: the values carry over as in a session.
-    void edit(Scene scene, std::span<const Animated> moving = {}) {
+    void edit(Scene scene, std::span<const Animated> moving = {}, Follow follow = Follow::text) {
         Controls next = fresh(scene);
         carry_over(controls_, scene_, next, scene);
+        if (follow == Follow::memory)
+            for (std::size_t i = 0; i < next.items.size(); ++i) take_value(controls_.items[i], next.items[i], follow);
         scene_ = std::move(scene);
         controls_ = std::move(next);
-        history_.reread(scene_, controls_, view_, moving);
+        history_.reread(scene_, controls_, view_, moving, follow);
     }
 
     Scene scene_;
@@ -336,6 +338,21 @@ TEST_F(Undo, AChangeDuringWhichTheTextIsReadIsStillAStep) {
     value(0) = 1.2;
     EXPECT_TRUE(step());
     EXPECT_EQ(undo(), "undo: Glass.uEta 1.2 \u2192 0.5");
+}
+
+TEST_F(Undo, AChangeDuringWhichASaveIsReadIsAStepFromTheSavedValue) {
+    value(0) = 1;
+    step();
+    value(0) = 1.2;
+    step(true);
+    Scene saved = scene({"uEta", "uMix"});
+    saved.programs[0].uniforms[0].values[1] = 1;
+    edit(saved, {}, Follow::memory);
+    ASSERT_EQ(value(0), 1.2);
+    value(0) = 1.3;
+    EXPECT_TRUE(step());
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.3 \u2192 1");
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1 \u2192 0.5") << "the text moved nothing";
 }
 
 TEST_F(Undo, AStepOfAValueThatADamagedTextDidNotListLeadsToTheTexts) {

@@ -130,8 +130,13 @@ std::string Past::reread(Session& session, View& view, std::span<const Animated>
     }
     changed_ = true;
     if (const Document* document = session.document())
-        history().reread(document->scene(), document->controls, view, moving);
+        history().reread(document->scene(), document->controls, view, moving, session.followed());
     return {};
+}
+
+void Past::add(std::string what, std::vector<SavedFile> files, Session& session) {
+    session.hold_values(files);
+    history().add(std::move(what), std::move(files));
 }
 
 std::string Past::serve(const ui::Requests& requests, Session& session, View& view, std::span<const Animated> moving,
@@ -145,8 +150,7 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
                           moving,
                           [&](const std::vector<SavedFile>& files, bool forward) {
                               const std::string error = exchange_saved(files, forward);
-                              for (const SavedFile& file : files)
-                                  if (error.empty()) session.hold_values(file.path);
+                              if (error.empty()) session.hold_values(files);
                               return error;
                           }};
     changed_ = true;

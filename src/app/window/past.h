@@ -43,7 +43,8 @@ public:
     // Call it when the scene was read again. Returns what begin() does if the scene could not be read until now.
     // `moving` is that of follow().
     std::string reread(Session& session, View& view, std::span<const Animated> moving = {});
-    void add(std::string what, std::vector<SavedFile> files) { history().add(std::move(what), std::move(files)); }
+    // Makes a step of files that were just replaced. Values stay, whatever is changed until the files are read.
+    void add(std::string what, std::vector<SavedFile> files, Session& session);
     // Executes requests for undo and redo, and returns what they changed. `follow_rungs` makes the controls of the
     // rungs that were chosen; `moving` is that of follow().
     std::string serve(const ui::Requests& requests, Session& session, View& view, std::span<const Animated> moving,

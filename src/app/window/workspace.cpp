@@ -176,7 +176,7 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         if (requests.save_as_now) expand_tilde(memory.save_as);
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
         if (requests.save_as) memory.save_as.folder = folder();
-        if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files));
+        if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files), session_);
         if (!served.saved_as.empty()) {
             past_.hand_on(session_, served.saved_as, view);
             return saved_as_ = served.saved_as;
