@@ -252,6 +252,7 @@ void History::take_back(std::uint64_t presses) {
 }
 
 void History::push(Step step) {
+    refused_.clear();
     forget_redo();
     if (open_ && !steps_.empty() && step.extends(steps_.back())) {
         bytes_ -= steps_.back().bytes();
@@ -291,22 +292,48 @@ std::string History::go(const UserState& state, bool forward) {
     open_ = false;
     before_ = {};
     rest(state.scene, state.controls, state.moving);
-    while (forward ? done_ < steps_.size() : done_ > 0) {
-        const Step& step = steps_[forward ? done_++ : --done_];
+    const std::string refused = std::exchange(refused_, {});
+    std::string again, without;
+    std::vector<Step*> left;
+    std::size_t at = done_;
+    while (forward ? at < steps_.size() : at > 0) {
+        Step& step = steps_[forward ? at++ : --at];
+        if (step.left) {
+            left.push_back(&step);
+            continue;
+        }
+        const std::string error = step.files.empty() ? "" : state.exchange(step.files, forward);
+        if (!error.empty()) {
+            refused_ = (forward ? "not redone: " : "not undone: ") + error;
+            if (again.empty() && refused_ == refused) {
+                again = refused_;
+                without = fmt::format("; {} is not {}", step.what, forward ? "redone" : "undone");
+                left.push_back(&step);
+                continue;
+            }
+            pass(forward ? at - 1 : at + 1, left);
+            return refused_ + without;
+        }
         const std::string said = apply(step, state, forward);
         if (said.empty()) continue;  // the scene has nothing of it any more, or is so already
+        refused_.clear();
+        pass(at, left);
         begin(state.scene, state.controls, state.view);
-        return said;
+        return said + without;
     }
+    if (!again.empty()) return again;  // there is nothing behind it
+    pass(at, left);
     return forward ? "nothing to redo" : "nothing to undo";
+}
+
+void History::pass(std::size_t to, const std::vector<Step*>& left) {
+    for (Step* step : left) step->left = !step->left;
+    done_ = to;
 }
 
 std::string History::apply(const Step& step, const UserState& state, bool forward) {
     const char* const done = forward ? "redo: " : "undo: ";
-    if (!step.files.empty()) {
-        const std::string error = state.exchange(step.files, forward);
-        return error.empty() ? done + step.what : (forward ? "not redone: " : "not undone: ") + error;
-    }
+    if (!step.files.empty()) return done + step.what;
     Setup wanted;
     for (const auto& [key, change] : step.changes) wanted[key] = change.at(forward);
     const Setup before = all_of(state.scene, state.controls, state.view);

@@ -61,7 +61,9 @@ public:
     void add(std::string what, std::vector<SavedFile> files);
 
     // Go one step back, or forward again, and return what was changed, such as "undo: Glass.uEta 1.5 → 1.1". What the
-    // scene no longer has is skipped, and so is what an edit of the text already changed to that.
+    // scene no longer has is skipped, and so is what an edit of the text already changed to that. A step whose files
+    // cannot be exchanged stays the next one, and the error is returned, such as "not undone: a.glib is gone"; when the
+    // same is asked at once and fails in the same way, it is left out.
     std::string undo(const UserState& state) { return go(state, false); }
     std::string redo(const UserState& state) { return go(state, true); }
 
@@ -82,6 +84,7 @@ private:
         std::vector<SavedFile> files;
         std::uint64_t presses = 0;
         double time = 0;
+        bool left = false;  // the files are as on the other side of it: the way back leaves it out, too
 
         bool empty() const { return changes.empty() && files.empty(); }
         std::size_t bytes() const;
@@ -112,6 +115,7 @@ private:
     void follow_text(const std::string& name, const Control& old, const Control& control);
     void name_objects(const Scene& scene, const View& view);
     std::string go(const UserState& state, bool forward);
+    void pass(std::size_t to, const std::vector<Step*>& left);
     static std::string apply(const Step& step, const UserState& state, bool forward);
     // What of the step is not as it was before.
     static std::string words_of(const Step& step, const Setup& before, const UserState& state);
@@ -123,6 +127,7 @@ private:
     std::size_t bytes_ = 0;  // of all steps, about
     bool open_ = false;      // whether the last step may be extended
     bool held_ = false;      // whether the gesture was busy
+    std::string refused_;    // what the last undo or redo returned if files could not be exchanged
     // The state after the steps that are done, as text and as the values that each frame is compared with.
     Setup setup_;
     Controls controls_, at_rest_;  // at_rest_ only keeps its memory from frame to frame

@@ -462,6 +462,74 @@ TEST_F(Undo, MemoryIsBounded) {
     EXPECT_GE(history_.size(), 5U);
 }
 
+class UndoOfSaves : public Undo {
+protected:
+    UndoOfSaves() {
+        for (const char* text : {"one", "two"}) {
+            value(0) += .1;
+            step();
+            history_.add(std::string("save ") + text, {{file_, bytes_of(file_), text}});
+            folder_.write("a.glib", text);
+        }
+    }
+    std::string go(bool forward) {
+        UserState now = state();
+        now.exchange = [this](const std::vector<SavedFile>& files, bool onward) {
+            return full_ ? "a.glib: No space left on device" : exchange_saved(files, onward);
+        };
+        return forward ? history_.redo(now) : history_.undo(now);
+    }
+
+    const Scratch folder_;
+    std::string file_ = folder_.write("a.glib", "zero");
+    bool full_ = false;
+};
+
+TEST_F(UndoOfSaves, WhatCouldNotBeExchangedIsTriedAgain) {
+    full_ = true;
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    full_ = false;
+    EXPECT_EQ(go(false), "undo: save two");
+    EXPECT_EQ(bytes_of(file_), "one");
+    full_ = true;
+    EXPECT_EQ(go(true), "not redone: a.glib: No space left on device");
+    full_ = false;
+    EXPECT_EQ(go(true), "redo: save two");
+    EXPECT_EQ(bytes_of(file_), "two");
+    for (const char* what : {"save two", "Glass.uEta 0.7 \u2192 0.6", "save one", "Glass.uEta 0.6 \u2192 0.5"})
+        EXPECT_EQ(go(false), std::string("undo: ") + what);
+    EXPECT_EQ(bytes_of(file_), "zero");
+}
+
+TEST_F(UndoOfSaves, WhatCannotBeExchangedIsLeftOutOnTheWayBackAndForth) {
+    full_ = true;
+    go(false);
+    EXPECT_EQ(go(false), "undo: Glass.uEta 0.7 \u2192 0.6; save two is not undone");
+    EXPECT_EQ(go(true), "redo: Glass.uEta 0.6 \u2192 0.7");
+    EXPECT_EQ(go(true), "nothing to redo") << "the file is so already";
+    full_ = false;
+    EXPECT_EQ(go(false), "undo: save two") << "it is tried again";
+    full_ = true;
+    go(true);
+    EXPECT_EQ(go(true), "not redone: a.glib: No space left on device") << "there is nothing behind it";
+    full_ = false;
+    EXPECT_EQ(go(true), "redo: save two");
+    EXPECT_EQ(bytes_of(file_), "two");
+}
+
+TEST_F(UndoOfSaves, AChangeInBetweenBeginsAnew) {
+    full_ = true;
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    value(1) = 1;
+    step();
+    EXPECT_EQ(go(false), "undo: Glass.uMix 1 \u2192 0.5");
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    EXPECT_EQ(go(true), "redo: Glass.uMix 0.5 \u2192 1");
+    EXPECT_EQ(go(false), "undo: Glass.uMix 1 \u2192 0.5");
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    EXPECT_EQ(bytes_of(file_), "two");
+}
+
 // Random changes and ways through the history, against a list of whole states.
 TEST_F(Undo, AnyWayBackGivesTheSameBits) {
     std::mt19937 random(7);
@@ -506,6 +574,7 @@ TEST_F(Undo, AReplacedSnapshotComesBackUnlessItsFileChanged) {
     folder.write("a.snapshots.json", "of someone else");
     EXPECT_EQ(undo().substr(0, 12), "not undone: ");
     EXPECT_EQ(bytes_of(file), "of someone else");
+    EXPECT_EQ(undo().substr(0, 12), "not undone: ") << "there is nothing else";
     const std::string first = folder.write("b.snapshots.json", "first");
     history_.add("snapshot 1", {{first, "", "first"}});
     undo();

@@ -169,8 +169,13 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
                 memory.failures.add({undone, std::filesystem::exists(session_.path(), unknown)
                                                  ? ui::Failure::Remedy::none
                                                  : ui::Failure::Remedy::save_as});
-            else
+            else {
+                std::erase_if(memory.failures.open, [](const ui::Failure& failure) {
+                    return failure.remedy == ui::Failure::Remedy::none &&
+                           (failure.text.starts_with("not undone: ") || failure.text.starts_with("not redone: "));
+                });
                 memory.notice = undone;
+            }
             keeper_.look_again();
         }
         if (requests.save_as_now) expand_tilde(memory.save_as);
