@@ -219,7 +219,7 @@ bool History::take(const Scene& scene, const Controls& controls, const View& vie
         step.time = gesture.now;
         name_objects(scene, view);
         if (before_.presses != gesture.presses) note_before(gesture.presses);
-        push(std::move(step));
+        push(std::move(step), gesture.undone);
     }
     const bool held = std::exchange(held_, false), open = open_ && !held;  // a drag ends with its button
     if (!moved && same) return false;
@@ -251,8 +251,14 @@ void History::take_back(std::uint64_t presses) {
     open_ = false;
 }
 
-void History::push(Step step) {
+void History::push(Step step, bool undone) {
     refused_.clear();
+    if (undone) {
+        bytes_ += step.bytes();
+        steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(done_++), std::move(step));
+        for (; too_many() && steps_.size() > done_; steps_.pop_back()) bytes_ -= steps_.back().bytes();
+        return;
+    }
     forget_redo();
     if (open_ && !steps_.empty() && step.extends(steps_.back())) {
         bytes_ -= steps_.back().bytes();
@@ -267,10 +273,7 @@ void History::push(Step step) {
     }
     bytes_ += step.bytes();
     steps_.push_back(std::move(step));
-    while (steps_.size() > most_steps || (bytes_ > most_bytes && steps_.size() > 1)) {
-        bytes_ -= steps_.front().bytes();
-        steps_.pop_front();
-    }
+    for (; too_many(); steps_.pop_front()) bytes_ -= steps_.front().bytes();
     done_ = steps_.size();
     open_ = true;
 }

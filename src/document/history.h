@@ -38,6 +38,7 @@ struct Gesture {
     std::uint64_t presses = 0;              // number of buttons and keys that were pressed so far
     double now = 0;                         // in seconds
     std::span<const Animated> moving = {};  // sliders that move by themselves: a step once they no longer do
+    bool undone = false;                    // the step is undone at once: what can be redone stays
 };
 
 class History {
@@ -109,9 +110,10 @@ private:
     std::size_t old_index(std::size_t index, const std::vector<std::string>& names) const;
     bool take(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
     Step difference(const Scene& scene, const Controls& controls, const View& view) const;
-    void push(Step step);
+    void push(Step step, bool undone = false);
     void note_before(std::uint64_t presses);
     void forget_redo();
+    bool too_many() const { return steps_.size() > most_steps || (bytes_ > most_bytes && steps_.size() > 1); }
     void follow_text(const std::string& name, const Control& old, const Control& control);
     void name_objects(const Scene& scene, const View& view);
     std::string go(const UserState& state, bool forward);

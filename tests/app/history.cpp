@@ -447,6 +447,16 @@ TEST_F(Undo, ThousandStepsAreKeptAndNoMore) {
     EXPECT_EQ(value(0), .5) << "the 500th step";
 }
 
+TEST_F(Undo, MotionsThatUndoEndsAreNoMoreThanThousandSteps) {
+    for (int i = 1; i <= 1500; ++i) {
+        value(0) = i / 1000.;
+        history_.follow(scene_, controls_, view_, {.presses = ++presses_, .undone = true});
+        undo();
+    }
+    EXPECT_EQ(history_.size(), History::most_steps);
+    EXPECT_EQ(history_.done(), 0U);
+}
+
 TEST_F(Undo, MemoryIsBounded) {
     scene_ = scene_with({{"Glass", {value_of("uMany", Kind::array, Values(100000, 1.))}}});
     ActiveUniform many = active("float", 100000);
@@ -513,6 +523,20 @@ TEST_F(UndoOfSaves, WhatCannotBeExchangedIsLeftOutOnTheWayBackAndForth) {
     go(true);
     EXPECT_EQ(go(true), "not redone: a.glib: No space left on device") << "there is nothing behind it";
     full_ = false;
+    EXPECT_EQ(go(true), "redo: save two");
+    EXPECT_EQ(bytes_of(file_), "two");
+}
+
+TEST_F(UndoOfSaves, AMotionThatUndoEndsKeepsWhatCanBeRedone) {
+    go(false);
+    const std::vector<Animated> moving{{0, "uMix"}};
+    value(1) = .7;
+    history_.follow(scene_, controls_, view_, {.moving = moving});
+    const std::size_t bytes = history_.bytes();
+    EXPECT_TRUE(history_.follow(scene_, controls_, view_, {.presses = ++presses_, .undone = true}));
+    EXPECT_GT(history_.bytes(), bytes);
+    EXPECT_EQ(go(false), "undo: Glass.uMix 0.7 \u2192 0.5");
+    EXPECT_EQ(go(true), "redo: Glass.uMix 0.5 \u2192 0.7");
     EXPECT_EQ(go(true), "redo: save two");
     EXPECT_EQ(bytes_of(file_), "two");
 }

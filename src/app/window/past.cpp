@@ -103,12 +103,13 @@ void Past::hear(std::span<const Event> events) {
     }
 }
 
-void Past::follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now) {
+void Past::follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now,
+                  bool undone) {
     const Document* document = session.document();
     if (name_.empty() || !document) return;
     if (moving.size() > moving_) before_motion_ = steps();
     moving_ = moving.size();
-    changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now, moving});
+    changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now, moving, undone});
 }
 
 void Past::take_back(std::size_t moving) {

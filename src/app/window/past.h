@@ -31,8 +31,10 @@ public:
     // Call it before every frame of the panels.
     void hear(std::span<const Event> events);
     // Call it after every frame of the panels: makes steps of what was changed. `busy`: a gesture has not ended.
-    // `moving`: sliders that move by themselves, each of which becomes a step when its motion ends.
-    void follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now);
+    // `moving`: sliders that move by themselves, each of which becomes a step when its motion ends; `undone`: to be
+    // undone at once.
+    void follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now,
+                bool undone = false);
     // Call it before follow() in a frame of the panels that set the state from before the last press, with as many
     // motions as there were then: the press leaves no step.
     void take_back(std::size_t moving);

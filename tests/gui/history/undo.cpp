@@ -95,6 +95,27 @@ TEST_F(Past, ASaveOfASliderThatMovesKeepsWhereItBegan) {
     EXPECT_EQ(red(), .2) << notice();
 }
 
+TEST_F(Past, ASaveThatWasUndoneDuringAMotionIsRedoneAfterIt) {
+    open("one.glib");
+    animate("uRed");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .4; }));
+    std::string saved;
+    for (const char* key : {"ctrl+s", "ctrl+z"}) {
+        const auto revision = state()["revision"];
+        user(std::string("key ") + key);
+        ASSERT_TRUE(wait([&](const json& s) { return s["revision"] > revision; })) << key;
+        if (saved.empty()) saved = bytes("one.glib");
+    }
+    EXPECT_EQ(bytes("one.glib"), scene("uRed"));
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << notice();
+    press("ctrl+y");
+    EXPECT_NE(red(), .2) << notice();
+    press("ctrl+y");
+    EXPECT_EQ(notice(), "redo: save to one.glib");
+    EXPECT_EQ(bytes("one.glib"), saved);
+}
+
 TEST_F(Past, AChangeRightAfterASaveStays) {
     open("one.glib");
     slide(.75);
