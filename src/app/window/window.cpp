@@ -183,7 +183,7 @@ void App::run(bool edited) {
         step();
     }
     keep_picture();
-    workspace_.finish(interface_.view());
+    workspace_.finish(interface_.view(), lost());
     workspace_.look(interface_.view(), interface_.memory());
 }
 

@@ -118,12 +118,15 @@ void Workspace::remember_scene() {
     if (document()) opener_.opened(session_.path());
 }
 
-std::string Workspace::open(const std::string& path, View& view) {
+void Workspace::finish(View& view, bool lost) {
     past_.finish(session_, view);
-    if (session_.saved(true)) {  // such as a save that was undone: what differs from the file now is remembered
-        session_.reload();
-        past_.reread(session_, view);
-    }
+    if (lost || !session_.saved(true)) return;
+    session_.reload();  // such as after a save or its undo: what differs from the file now is remembered
+    past_.reread(session_, view);
+}
+
+std::string Workspace::open(const std::string& path, View& view) {
+    finish(view);
     past_.write(session_, view);
     if (std::string problem = session_.open(path, past_.read(path)); !problem.empty()) {
         past_.read(session_.path());

@@ -137,6 +137,19 @@ TEST_F(Past, AChangeRightAfterASaveStays) {
     EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .3; }));
 }
 
+TEST_F(Past, AChangeBetweenASaveAndTheEndIsThereNextTime) {
+    open("one.glib");
+    slide(.75);
+    const auto [x, y] = on("Paint.uRed", .4);
+    user("key ctrl+s mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+    ASSERT_TRUE(close_windows(display_));
+    EXPECT_TRUE(wait([&](const json&) { return !alive(); }));
+    EXPECT_NE(bytes("one.glib"), scene("uRed"));
+    end_window();
+    open("one.glib");
+    EXPECT_NEAR(red(), .4, .05);
+}
+
 TEST_F(Past, OtherChangesAreStepsWhileASliderMoves) {
     open("one.glib");
     animate("uGreen");
