@@ -127,7 +127,8 @@ void History::follow_text(const std::string& name, const Control& old, const Con
            numbers_text({control.initial_min, control.initial_max}));
 }
 
-void History::reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving) {
+void History::reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving,
+                     Follow follow) {
     before_ = {};
     Controls now = controls;
     rest(scene, now, moving);
@@ -137,6 +138,11 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
         if (found == names_.end()) continue;
         const Control& old = controls_.items[static_cast<std::size_t>(found - names_.begin())];
         Control& control = now.items[i];
+        if (follow == Follow::memory) {
+            if (old.value != control.value && old.value.size() == control.value.size())
+                take_value(old, control, follow);  // a change that is not a step yet
+            continue;
+        }
         // What the text did not list had no value of its own there.
         const bool followed = old.value != control.value || (control.listed && !old.listed);
         if (old.initial != control.initial && followed) follow_text(names[i], old, control);
@@ -213,7 +219,7 @@ bool History::take(const Scene& scene, const Controls& controls, const View& vie
         step.time = gesture.now;
         name_objects(scene, view);
         if (before_.presses != gesture.presses) note_before(gesture.presses);
-        push(std::move(step));
+        push(std::move(step), gesture.undone);
     }
     const bool held = std::exchange(held_, false), open = open_ && !held;  // a drag ends with its button
     if (!moved && same) return false;
@@ -245,7 +251,14 @@ void History::take_back(std::uint64_t presses) {
     open_ = false;
 }
 
-void History::push(Step step) {
+void History::push(Step step, bool undone) {
+    refused_.clear();
+    if (undone) {
+        bytes_ += step.bytes();
+        steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(done_++), std::move(step));
+        for (; too_many() && steps_.size() > done_; steps_.pop_back()) bytes_ -= steps_.back().bytes();
+        return;
+    }
     forget_redo();
     if (open_ && !steps_.empty() && step.extends(steps_.back())) {
         bytes_ -= steps_.back().bytes();
@@ -260,10 +273,7 @@ void History::push(Step step) {
     }
     bytes_ += step.bytes();
     steps_.push_back(std::move(step));
-    while (steps_.size() > most_steps || (bytes_ > most_bytes && steps_.size() > 1)) {
-        bytes_ -= steps_.front().bytes();
-        steps_.pop_front();
-    }
+    for (; too_many(); steps_.pop_front()) bytes_ -= steps_.front().bytes();
     done_ = steps_.size();
     open_ = true;
 }
@@ -285,22 +295,48 @@ std::string History::go(const UserState& state, bool forward) {
     open_ = false;
     before_ = {};
     rest(state.scene, state.controls, state.moving);
-    while (forward ? done_ < steps_.size() : done_ > 0) {
-        const Step& step = steps_[forward ? done_++ : --done_];
+    const std::string refused = std::exchange(refused_, {});
+    std::string again, without;
+    std::vector<Step*> left;
+    std::size_t at = done_;
+    while (forward ? at < steps_.size() : at > 0) {
+        Step& step = steps_[forward ? at++ : --at];
+        if (step.left) {
+            left.push_back(&step);
+            continue;
+        }
+        const std::string error = step.files.empty() ? "" : state.exchange(step.files, forward);
+        if (!error.empty()) {
+            refused_ = (forward ? "not redone: " : "not undone: ") + error;
+            if (again.empty() && refused_ == refused) {
+                again = refused_;
+                without = fmt::format("; {} is not {}", step.what, forward ? "redone" : "undone");
+                left.push_back(&step);
+                continue;
+            }
+            pass(forward ? at - 1 : at + 1, left);
+            return refused_ + without;
+        }
         const std::string said = apply(step, state, forward);
         if (said.empty()) continue;  // the scene has nothing of it any more, or is so already
+        refused_.clear();
+        pass(at, left);
         begin(state.scene, state.controls, state.view);
-        return said;
+        return said + without;
     }
+    if (!again.empty()) return again;  // there is nothing behind it
+    pass(at, left);
     return forward ? "nothing to redo" : "nothing to undo";
+}
+
+void History::pass(std::size_t to, const std::vector<Step*>& left) {
+    for (Step* step : left) step->left = !step->left;
+    done_ = to;
 }
 
 std::string History::apply(const Step& step, const UserState& state, bool forward) {
     const char* const done = forward ? "redo: " : "undo: ";
-    if (!step.files.empty()) {
-        const std::string error = state.exchange(step.files, forward);
-        return error.empty() ? done + step.what : (forward ? "not redone: " : "not undone: ") + error;
-    }
+    if (!step.files.empty()) return done + step.what;
     Setup wanted;
     for (const auto& [key, change] : step.changes) wanted[key] = change.at(forward);
     const Setup before = all_of(state.scene, state.controls, state.view);

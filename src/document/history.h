@@ -38,6 +38,7 @@ struct Gesture {
     std::uint64_t presses = 0;              // number of buttons and keys that were pressed so far
     double now = 0;                         // in seconds
     std::span<const Animated> moving = {};  // sliders that move by themselves: a step once they no longer do
+    bool undone = false;                    // the step is undone at once: what can be redone stays
 };
 
 class History {
@@ -47,8 +48,10 @@ public:
     // Steps are counted from this state.
     void begin(const Scene& scene, const Controls& controls, const View& view);
     // Call it after the scene was read again: what its text changed is not a step. What moves keeps the value from
-    // before its motion, whatever the text says: a save may have written where it was.
-    void reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving = {});
+    // before its motion, whatever the text says: a save may have written where it was. Unless values follow the text,
+    // what differs from the last call was changed by the user.
+    void reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving = {},
+                Follow follow = Follow::text);
     // Makes a step of what was changed since the last call, or extends the last step if it changed the same in the same
     // gesture, such as turns of the wheel or repeats of a key. Returns true if there was a change.
     bool follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
@@ -59,7 +62,9 @@ public:
     void add(std::string what, std::vector<SavedFile> files);
 
     // Go one step back, or forward again, and return what was changed, such as "undo: Glass.uEta 1.5 → 1.1". What the
-    // scene no longer has is skipped, and so is what an edit of the text already changed to that.
+    // scene no longer has is skipped, and so is what an edit of the text already changed to that. A step whose files
+    // cannot be exchanged stays the next one, and the error is returned, such as "not undone: a.glib is gone"; when the
+    // same is asked at once and fails in the same way, it is left out.
     std::string undo(const UserState& state) { return go(state, false); }
     std::string redo(const UserState& state) { return go(state, true); }
 
@@ -80,6 +85,7 @@ private:
         std::vector<SavedFile> files;
         std::uint64_t presses = 0;
         double time = 0;
+        bool left = false;  // the files are as on the other side of it: the way back leaves it out, too
 
         bool empty() const { return changes.empty() && files.empty(); }
         std::size_t bytes() const;
@@ -104,12 +110,14 @@ private:
     std::size_t old_index(std::size_t index, const std::vector<std::string>& names) const;
     bool take(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
     Step difference(const Scene& scene, const Controls& controls, const View& view) const;
-    void push(Step step);
+    void push(Step step, bool undone = false);
     void note_before(std::uint64_t presses);
     void forget_redo();
+    bool too_many() const { return steps_.size() > most_steps || (bytes_ > most_bytes && steps_.size() > 1); }
     void follow_text(const std::string& name, const Control& old, const Control& control);
     void name_objects(const Scene& scene, const View& view);
     std::string go(const UserState& state, bool forward);
+    void pass(std::size_t to, const std::vector<Step*>& left);
     static std::string apply(const Step& step, const UserState& state, bool forward);
     // What of the step is not as it was before.
     static std::string words_of(const Step& step, const Setup& before, const UserState& state);
@@ -121,6 +129,7 @@ private:
     std::size_t bytes_ = 0;  // of all steps, about
     bool open_ = false;      // whether the last step may be extended
     bool held_ = false;      // whether the gesture was busy
+    std::string refused_;    // what the last undo or redo returned if files could not be exchanged
     // The state after the steps that are done, as text and as the values that each frame is compared with.
     Setup setup_;
     Controls controls_, at_rest_;  // at_rest_ only keeps its memory from frame to frame

@@ -52,12 +52,14 @@ protected:
     std::string undo() { return history_.undo(state()); }
     std::string redo() { return history_.redo(state()); }
     // The text was edited: the values carry over as in a session.
-    void edit(Scene scene, std::span<const Animated> moving = {}) {
+    void edit(Scene scene, std::span<const Animated> moving = {}, Follow follow = Follow::text) {
         Controls next = fresh(scene);
         carry_over(controls_, scene_, next, scene);
+        if (follow == Follow::memory)
+            for (std::size_t i = 0; i < next.items.size(); ++i) take_value(controls_.items[i], next.items[i], follow);
         scene_ = std::move(scene);
         controls_ = std::move(next);
-        history_.reread(scene_, controls_, view_, moving);
+        history_.reread(scene_, controls_, view_, moving, follow);
     }
 
     Scene scene_;
@@ -338,6 +340,21 @@ TEST_F(Undo, AChangeDuringWhichTheTextIsReadIsStillAStep) {
     EXPECT_EQ(undo(), "undo: Glass.uEta 1.2 \u2192 0.5");
 }
 
+TEST_F(Undo, AChangeDuringWhichASaveIsReadIsAStepFromTheSavedValue) {
+    value(0) = 1;
+    step();
+    value(0) = 1.2;
+    step(true);
+    Scene saved = scene({"uEta", "uMix"});
+    saved.programs[0].uniforms[0].values[1] = 1;
+    edit(saved, {}, Follow::memory);
+    ASSERT_EQ(value(0), 1.2);
+    value(0) = 1.3;
+    EXPECT_TRUE(step());
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.3 \u2192 1");
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1 \u2192 0.5") << "the text moved nothing";
+}
+
 TEST_F(Undo, AStepOfAValueThatADamagedTextDidNotListLeadsToTheTexts) {
     const Scene damaged = scene({"uOther", "uMix"});
     Diagnostics ignored;
@@ -430,6 +447,16 @@ TEST_F(Undo, ThousandStepsAreKeptAndNoMore) {
     EXPECT_EQ(value(0), .5) << "the 500th step";
 }
 
+TEST_F(Undo, MotionsThatUndoEndsAreNoMoreThanThousandSteps) {
+    for (int i = 1; i <= 1500; ++i) {
+        value(0) = i / 1000.;
+        history_.follow(scene_, controls_, view_, {.presses = ++presses_, .undone = true});
+        undo();
+    }
+    EXPECT_EQ(history_.size(), History::most_steps);
+    EXPECT_EQ(history_.done(), 0U);
+}
+
 TEST_F(Undo, MemoryIsBounded) {
     scene_ = scene_with({{"Glass", {value_of("uMany", Kind::array, Values(100000, 1.))}}});
     ActiveUniform many = active("float", 100000);
@@ -443,6 +470,88 @@ TEST_F(Undo, MemoryIsBounded) {
         EXPECT_LE(history_.bytes(), History::most_bytes);
     }
     EXPECT_GE(history_.size(), 5U);
+}
+
+class UndoOfSaves : public Undo {
+protected:
+    UndoOfSaves() {
+        for (const char* text : {"one", "two"}) {
+            value(0) += .1;
+            step();
+            history_.add(std::string("save ") + text, {{file_, bytes_of(file_), text}});
+            folder_.write("a.glib", text);
+        }
+    }
+    std::string go(bool forward) {
+        UserState now = state();
+        now.exchange = [this](const std::vector<SavedFile>& files, bool onward) {
+            return full_ ? "a.glib: No space left on device" : exchange_saved(files, onward);
+        };
+        return forward ? history_.redo(now) : history_.undo(now);
+    }
+
+    const Scratch folder_;
+    std::string file_ = folder_.write("a.glib", "zero");
+    bool full_ = false;
+};
+
+TEST_F(UndoOfSaves, WhatCouldNotBeExchangedIsTriedAgain) {
+    full_ = true;
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    full_ = false;
+    EXPECT_EQ(go(false), "undo: save two");
+    EXPECT_EQ(bytes_of(file_), "one");
+    full_ = true;
+    EXPECT_EQ(go(true), "not redone: a.glib: No space left on device");
+    full_ = false;
+    EXPECT_EQ(go(true), "redo: save two");
+    EXPECT_EQ(bytes_of(file_), "two");
+    for (const char* what : {"save two", "Glass.uEta 0.7 \u2192 0.6", "save one", "Glass.uEta 0.6 \u2192 0.5"})
+        EXPECT_EQ(go(false), std::string("undo: ") + what);
+    EXPECT_EQ(bytes_of(file_), "zero");
+}
+
+TEST_F(UndoOfSaves, WhatCannotBeExchangedIsLeftOutOnTheWayBackAndForth) {
+    full_ = true;
+    go(false);
+    EXPECT_EQ(go(false), "undo: Glass.uEta 0.7 \u2192 0.6; save two is not undone");
+    EXPECT_EQ(go(true), "redo: Glass.uEta 0.6 \u2192 0.7");
+    EXPECT_EQ(go(true), "nothing to redo") << "the file is so already";
+    full_ = false;
+    EXPECT_EQ(go(false), "undo: save two") << "it is tried again";
+    full_ = true;
+    go(true);
+    EXPECT_EQ(go(true), "not redone: a.glib: No space left on device") << "there is nothing behind it";
+    full_ = false;
+    EXPECT_EQ(go(true), "redo: save two");
+    EXPECT_EQ(bytes_of(file_), "two");
+}
+
+TEST_F(UndoOfSaves, AMotionThatUndoEndsKeepsWhatCanBeRedone) {
+    go(false);
+    const std::vector<Animated> moving{{0, "uMix"}};
+    value(1) = .7;
+    history_.follow(scene_, controls_, view_, {.moving = moving});
+    const std::size_t bytes = history_.bytes();
+    EXPECT_TRUE(history_.follow(scene_, controls_, view_, {.presses = ++presses_, .undone = true}));
+    EXPECT_GT(history_.bytes(), bytes);
+    EXPECT_EQ(go(false), "undo: Glass.uMix 0.7 \u2192 0.5");
+    EXPECT_EQ(go(true), "redo: Glass.uMix 0.5 \u2192 0.7");
+    EXPECT_EQ(go(true), "redo: save two");
+    EXPECT_EQ(bytes_of(file_), "two");
+}
+
+TEST_F(UndoOfSaves, AChangeInBetweenBeginsAnew) {
+    full_ = true;
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    value(1) = 1;
+    step();
+    EXPECT_EQ(go(false), "undo: Glass.uMix 1 \u2192 0.5");
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    EXPECT_EQ(go(true), "redo: Glass.uMix 0.5 \u2192 1");
+    EXPECT_EQ(go(false), "undo: Glass.uMix 1 \u2192 0.5");
+    EXPECT_EQ(go(false), "not undone: a.glib: No space left on device");
+    EXPECT_EQ(bytes_of(file_), "two");
 }
 
 // Random changes and ways through the history, against a list of whole states.
@@ -489,6 +598,7 @@ TEST_F(Undo, AReplacedSnapshotComesBackUnlessItsFileChanged) {
     folder.write("a.snapshots.json", "of someone else");
     EXPECT_EQ(undo().substr(0, 12), "not undone: ");
     EXPECT_EQ(bytes_of(file), "of someone else");
+    EXPECT_EQ(undo().substr(0, 12), "not undone: ") << "there is nothing else";
     const std::string first = folder.write("b.snapshots.json", "first");
     history_.add("snapshot 1", {{first, "", "first"}});
     undo();

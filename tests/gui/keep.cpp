@@ -109,6 +109,13 @@ TEST_F(Keep, AnEditAfterASaveIsNotUndoneWithIt) {
     const std::size_t at = text.find("uGreen <.1 .4");
     save("scene.glib", text.replace(at, 13, "uGreen <.1 .7"));
     EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uGreen"][0] == .7; }));
+    settle();
+    user("key ctrl+z");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .2; })) << "past the save";
+    settle();
+    const std::string notice = state()["notice"];
+    EXPECT_NE(notice.find("; save to scene.glib is not undone"), notice.npos) << notice;
+    EXPECT_EQ(state()["failure"], "");
 }
 
 TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {

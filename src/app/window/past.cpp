@@ -103,12 +103,13 @@ void Past::hear(std::span<const Event> events) {
     }
 }
 
-void Past::follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now) {
+void Past::follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now,
+                  bool undone) {
     const Document* document = session.document();
     if (name_.empty() || !document) return;
     if (moving.size() > moving_) before_motion_ = steps();
     moving_ = moving.size();
-    changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now, moving});
+    changed_ |= history().follow(document->scene(), document->controls, view, {busy, presses_, now, moving, undone});
 }
 
 void Past::take_back(std::size_t moving) {
@@ -130,8 +131,13 @@ std::string Past::reread(Session& session, View& view, std::span<const Animated>
     }
     changed_ = true;
     if (const Document* document = session.document())
-        history().reread(document->scene(), document->controls, view, moving);
+        history().reread(document->scene(), document->controls, view, moving, session.followed());
     return {};
+}
+
+void Past::add(std::string what, std::vector<SavedFile> files, Session& session) {
+    session.hold_values(files);
+    history().add(std::move(what), std::move(files));
 }
 
 std::string Past::serve(const ui::Requests& requests, Session& session, View& view, std::span<const Animated> moving,
@@ -145,8 +151,7 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
                           moving,
                           [&](const std::vector<SavedFile>& files, bool forward) {
                               const std::string error = exchange_saved(files, forward);
-                              for (const SavedFile& file : files)
-                                  if (error.empty()) session.hold_values(file.path);
+                              if (error.empty()) session.hold_values(files);
                               return error;
                           }};
     changed_ = true;

@@ -31,8 +31,10 @@ public:
     // Call it before every frame of the panels.
     void hear(std::span<const Event> events);
     // Call it after every frame of the panels: makes steps of what was changed. `busy`: a gesture has not ended.
-    // `moving`: sliders that move by themselves, each of which becomes a step when its motion ends.
-    void follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now);
+    // `moving`: sliders that move by themselves, each of which becomes a step when its motion ends; `undone`: to be
+    // undone at once.
+    void follow(Session& session, const View& view, bool busy, std::span<const Animated> moving, double now,
+                bool undone = false);
     // Call it before follow() in a frame of the panels that set the state from before the last press, with as many
     // motions as there were then: the press leaves no step.
     void take_back(std::size_t moving);
@@ -43,7 +45,8 @@ public:
     // Call it when the scene was read again. Returns what begin() does if the scene could not be read until now.
     // `moving` is that of follow().
     std::string reread(Session& session, View& view, std::span<const Animated> moving = {});
-    void add(std::string what, std::vector<SavedFile> files) { history().add(std::move(what), std::move(files)); }
+    // Makes a step of files that were just replaced. Values stay, whatever is changed until the files are read.
+    void add(std::string what, std::vector<SavedFile> files, Session& session);
     // Executes requests for undo and redo, and returns what they changed. `follow_rungs` makes the controls of the
     // rungs that were chosen; `moving` is that of follow().
     std::string serve(const ui::Requests& requests, Session& session, View& view, std::span<const Animated> moving,

@@ -95,12 +95,15 @@ void Session::reload() {
         read(path_, [this](const Scene& scene, Rungs& rungs, Diagnostics& refused) { choose(scene, rungs, refused); }));
 }
 
-void Session::hold_values(const std::string& file) {
+void Session::hold_values(const std::vector<SavedFile>& files) {
     // The scene may have been opened by another name of the same path since the file was saved.
-    hold_values_ |= ranges::any_of(files_, [&](const std::string& used) {
-        std::error_code error;
-        return used == file || std::filesystem::equivalent(used, file, error);
-    });
+    const auto in_use = [&](const SavedFile& file) {
+        return ranges::any_of(files_, [&](const std::string& used) {
+            std::error_code error;
+            return used == file.path || std::filesystem::equivalent(used, file.path, error);
+        });
+    };
+    hold_values_ |= ranges::any_of(files, in_use);
 }
 
 std::string Session::open(std::string path, Remembered memory) {
@@ -176,7 +179,7 @@ void Session::carry_values(Document& read) {
     if (!read.diagnostics.has_errors()) by_hand_.clear();
     if (shown_) carry_over(shown_->controls, shown_->scene(), read.controls, read.scene());
     recall(all, read.scene(), read.controls, Follow::memory);
-    hold_values_ = false;
+    followed_ = std::exchange(hold_values_, false) ? Follow::memory : Follow::text;
 }
 
 Remembered Session::remembered(bool all) const {

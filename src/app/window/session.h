@@ -40,8 +40,10 @@ public:
     // Reads the files again. If the new version has errors that the shown one does not have, its problems are shown
     // over the last good picture. Values of controls carry over.
     void reload();
-    // The next reload keeps values and rungs although the text changes them, if this is a file in use.
-    void hold_values(const std::string& file);
+    // The next reload keeps values and rungs although the text changes them, if one of these files is in use.
+    void hold_values(const std::vector<SavedFile>& files);
+    // What they did in the last reload.
+    Follow followed() const { return followed_; }
     // Shows another scene as it is in its file, with the values of `memory`. Returns "", or why the current scene
     // stays.
     std::string open(std::string path, Remembered memory = {});
@@ -95,6 +97,7 @@ private:
     bool recovering_ = false;  // until the scene is read: values that are not in by_hand_ are those of the text
     Remembered memory_;        // values that shown_ does not have, and those with which it began
     bool hold_values_ = false;
+    Follow followed_ = Follow::text;
     Rungs first_rungs_;
     Earlier earlier_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems

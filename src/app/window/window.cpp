@@ -183,7 +183,7 @@ void App::run(bool edited) {
         step();
     }
     keep_picture();
-    workspace_.finish(interface_.view());
+    workspace_.finish(interface_.view(), lost());
     workspace_.look(interface_.view(), interface_.memory());
 }
 
@@ -425,9 +425,10 @@ void App::interface_frame(std::span<const Event> events) {
     past.hear(events);
     const ui::Requests requests = interface_.frame(events, facts(), document ? document->controls : no_controls);
     std::vector<Animated>& moving = interface_.memory().animated;
-    if (requests.undo && past.undoes_motion()) moving.clear();
+    const bool undone = requests.undo && past.undoes_motion();
+    if (undone) moving.clear();
     if (requests.take_back) past.take_back(moving.size());
-    past.follow(workspace_.session(), interface_.view(), interface_.busy(), moving, window_->now());
+    past.follow(workspace_.session(), interface_.view(), interface_.busy(), moving, window_->now(), undone);
     serve(requests);
     if (const auto title = workspace_.new_title()) window_->set_title(*title);
 }

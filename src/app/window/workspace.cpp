@@ -118,12 +118,15 @@ void Workspace::remember_scene() {
     if (document()) opener_.opened(session_.path());
 }
 
-std::string Workspace::open(const std::string& path, View& view) {
+void Workspace::finish(View& view, bool lost) {
     past_.finish(session_, view);
-    if (session_.saved(true)) {  // such as a save that was undone: what differs from the file now is remembered
-        session_.reload();
-        past_.reread(session_, view);
-    }
+    if (lost || !session_.saved(true)) return;
+    session_.reload();  // such as after a save or its undo: what differs from the file now is remembered
+    past_.reread(session_, view);
+}
+
+std::string Workspace::open(const std::string& path, View& view) {
+    finish(view);
     past_.write(session_, view);
     if (std::string problem = session_.open(path, past_.read(path)); !problem.empty()) {
         past_.read(session_.path());
@@ -169,14 +172,19 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
                 memory.failures.add({undone, std::filesystem::exists(session_.path(), unknown)
                                                  ? ui::Failure::Remedy::none
                                                  : ui::Failure::Remedy::save_as});
-            else
+            else {
+                std::erase_if(memory.failures.open, [](const ui::Failure& failure) {
+                    return failure.remedy == ui::Failure::Remedy::none &&
+                           (failure.text.starts_with("not undone: ") || failure.text.starts_with("not redone: "));
+                });
                 memory.notice = undone;
+            }
             keeper_.look_again();
         }
         if (requests.save_as_now) expand_tilde(memory.save_as);
         Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
         if (requests.save_as) memory.save_as.folder = folder();
-        if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files));
+        if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files), session_);
         if (!served.saved_as.empty()) {
             past_.hand_on(session_, served.saved_as, view);
             return saved_as_ = served.saved_as;

@@ -47,8 +47,9 @@ public:
     void begin(View& view, std::string& notice);
     // The same for a window that continues another one, as it was.
     void continue_with(const View& view) { past_.continue_with(session_, view); }
-    // Call it before the scene is left: what is being changed becomes a step, which is kept.
-    void finish(const View& view) { past_.finish(session_, view); }
+    // Call it before the scene is left: what is being changed becomes a step, which is kept. Files that were just saved
+    // are read, unless the context is `lost`.
+    void finish(View& view, bool lost = false);
     // Call it regularly: it checks for ended editors and writes settings and the state of the scene where they changed.
     // Returns true if it changed `memory.notice`.
     bool look(const View& view, ui::Memory& memory);

@@ -95,6 +95,61 @@ TEST_F(Past, ASaveOfASliderThatMovesKeepsWhereItBegan) {
     EXPECT_EQ(red(), .2) << notice();
 }
 
+TEST_F(Past, ASaveThatWasUndoneDuringAMotionIsRedoneAfterIt) {
+    open("one.glib");
+    animate("uRed");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .4; }));
+    std::string saved;
+    for (const char* key : {"ctrl+s", "ctrl+z"}) {
+        const auto revision = state()["revision"];
+        user(std::string("key ") + key);
+        ASSERT_TRUE(wait([&](const json& s) { return s["revision"] > revision; })) << key;
+        if (saved.empty()) saved = bytes("one.glib");
+    }
+    EXPECT_EQ(bytes("one.glib"), scene("uRed"));
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << notice();
+    press("ctrl+y");
+    EXPECT_NE(red(), .2) << notice();
+    press("ctrl+y");
+    EXPECT_EQ(notice(), "redo: save to one.glib");
+    EXPECT_EQ(bytes("one.glib"), saved);
+}
+
+TEST_F(Past, AChangeRightAfterASaveStays) {
+    open("one.glib");
+    slide(.75);
+    const double saved = red();
+    const auto [x, y] = on("Paint.uRed", .4);
+    user("key ctrl+s mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; })) << "what was saved is read";
+    settle();
+    const double later = red();
+    EXPECT_NEAR(later, .4, .05);
+    EXPECT_NE(title().find("\u2022"), std::string::npos) << title();
+    EXPECT_EQ(state()["undo"], 3) << "the slider, the save, the slider";
+    press("ctrl+z");
+    EXPECT_EQ(red(), saved) << notice();
+    press("ctrl+y");
+    EXPECT_EQ(red(), later) << notice();
+    // The next edit of the text is followed.
+    save("one.glib", scene("uRed").replace(scene("uRed").find("<0. .2"), 6, "<0. .3"));
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .3; }));
+}
+
+TEST_F(Past, AChangeBetweenASaveAndTheEndIsThereNextTime) {
+    open("one.glib");
+    slide(.75);
+    const auto [x, y] = on("Paint.uRed", .4);
+    user("key ctrl+s mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
+    ASSERT_TRUE(close_windows(display_));
+    EXPECT_TRUE(wait([&](const json&) { return !alive(); }));
+    EXPECT_NE(bytes("one.glib"), scene("uRed"));
+    end_window();
+    open("one.glib");
+    EXPECT_NEAR(red(), .4, .05);
+}
+
 TEST_F(Past, OtherChangesAreStepsWhileASliderMoves) {
     open("one.glib");
     animate("uGreen");
