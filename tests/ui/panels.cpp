@@ -452,7 +452,7 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     using Remedy = Failure::Remedy;
     facts_.changed = true;
     Failures& failures = memory_.failures;
-    failures.add({"snapshot 3 is not stored: no space left", Remedy::store, {}, 3});
+    failures.add({"snapshot 3 is not stored: no space left", Remedy::store, {}, 3, {{"--set Glass.uEta", ".62"}}});
     failures.add({"snapshot 4 cannot be read", Remedy::recall, {}, 4});
     failures.add({"not saved: no space left", Remedy::save});
     EXPECT_LT(place("failure 3.ok").y, place("failure 2.ok").y);
@@ -464,7 +464,10 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
         frame({button(false)});
         return requests_;
     };
-    EXPECT_EQ(pressed("failure 3.again").store_snapshot, 3);
+    const Requests again = pressed("failure 3.again");
+    EXPECT_EQ(again.store_snapshot, 3);
+    EXPECT_EQ(again.values, (snell::Setup{{"--set Glass.uEta", ".62"}}))
+        << "what was not stored, not the values of now";
     EXPECT_EQ(pressed("failure 2.again").restore_snapshot, 4);
     EXPECT_FALSE(has("failure 2.ok")) << "these are answered";
     EXPECT_TRUE(has("failure.again")) << "that one is not";

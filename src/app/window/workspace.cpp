@@ -174,7 +174,8 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
             keeper_.look_again();
         }
         if (requests.save_as_now) expand_tilde(memory.save_as);
-        Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
+        Keeper::Served served = keeper_.serve(requests, *document(), shown, memory);
+        if (!served.copied.empty()) window.set_clipboard(served.copied);
         if (requests.save_as) memory.save_as.folder = folder();
         if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files));
         if (!served.saved_as.empty()) {

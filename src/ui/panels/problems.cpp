@@ -232,7 +232,11 @@ bool remedies(const Failure& failure, const std::string& name, Memory& memory, R
     if (remedy == Remedy::reload) offer("Reload", ".reload", [&] { requests.reload = true; });
     if (remedy == Remedy::save) offer("Try again", ".again", [&] { requests.save = true; });
     if (of_saving(remedy)) offer("Save as\u2026", ".save as", [&] { requests.save_as = true; });
-    if (remedy == Remedy::store) offer("Try again", ".again", [&] { requests.store_snapshot = failure.snapshot; });
+    if (remedy == Remedy::store)
+        offer("Try again", ".again", [&] {
+            requests.store_snapshot = failure.snapshot;
+            requests.values = failure.values;
+        });
     if (remedy == Remedy::recall) offer("Try again", ".again", [&] { requests.restore_snapshot = failure.snapshot; });
     if (remedy == Remedy::absent) offer("Store it", ".store", [&] { requests.store_snapshot = failure.snapshot; });
     if (remedy == Remedy::open)

@@ -13,6 +13,7 @@
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
+#include "src/plan/setup.h"
 #include "src/plan/values/animate.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
@@ -107,13 +108,15 @@ inline constexpr double hint_seconds = 4;
 struct Failure {
     // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
     // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
-    // opens, until one does. store, recall: the same snapshot again, until that succeeds. absent: there is no such
-    // snapshot, until one is stored. open: another scene, with the name that was refused in the field.
+    // opens, until one does. store: the same snapshot again, with the values of then; recall: the same; both until that
+    // succeeds. absent: there is no such snapshot, until one is stored. open: another scene, with the name that was
+    // refused in the field.
     enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, absent, open };
     std::string text;
     Remedy remedy = Remedy::none;
-    Place place = {};  // where the editor was to open; the file that could not be opened
-    int snapshot = 0;  // its number
+    Place place = {};   // where the editor was to open; the file that could not be opened
+    int snapshot = 0;   // its number
+    Setup values = {};  // that were not stored
 };
 
 // The failures that are open, the latest last.
@@ -188,6 +191,7 @@ struct Requests {
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point
     int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none
+    std::optional<Setup> values;                   // that are stored, in place of those of now
     bool measure = false;                          // measures all rungs of the plotted ladder, or stops measuring
     bool measure_frame = false;                    // measures passes and draws of a frame, or stops measuring
     bool find_rungs = false;                       // seeks rungs, or stops seeking
