@@ -498,6 +498,42 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     EXPECT_EQ(failures.open.size(), 1U);
 }
 
+// The notice above slides under the mouse, and must be read before it is answered.
+TEST_F(UiTest, ADoubleClickAnswersOneNotice) {
+    using Remedy = Failure::Remedy;
+    facts_.changed = true;
+    // A picture takes that long: the second press was made while it was drawn, or the mouse waited.
+    for (const double picture : {.02, .1, 2.5})
+        for (const char* name : {"failure.ok", "failure.again"}) {
+            memory_.failures.open = {{"not saved: no space left", Remedy::save},
+                                     {"snapshot 4 cannot be read", Remedy::recall, {}, 4},
+                                     {"snapshot 3 is not stored: no space left", Remedy::store, {}, 3}};
+            const Rect at = place(name);
+            frame({move(1, 1)});
+            frame({move(at.x + at.width / 2, at.y + at.height / 2)}, 1);
+            const auto press = [&](bool down, double seconds) {
+                Event event = button(down);
+                event.since = clock_;
+                event.seen = clock_ + seconds;
+                frame({event}, seconds);
+                return requests_.restore_snapshot > 0 || requests_.save;
+            };
+            press(true, .02);
+            press(false, .02);
+            ASSERT_EQ(memory_.failures.open.size(), 2U) << name;
+            for (int more = 0; more < 2; ++more) {
+                press(true, picture);
+                EXPECT_FALSE(press(false, .02)) << name << ' ' << picture;
+                EXPECT_EQ(memory_.failures.open.size(), 2U) << name << ' ' << picture;
+                if (picture > 1) break;
+            }
+            frame({}, 1);
+            press(true, .02);
+            press(false, .02);
+            EXPECT_EQ(memory_.failures.open.size(), 1U) << "once it was there for a while";
+        }
+}
+
 TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {
     add_slider("uEta", .1, 1.1, 5);
     Control& field = add_slider("uField", 0, 3, 10);

@@ -132,6 +132,19 @@ struct Failures {
     void leave();
 };
 
+// The notices over the picture, so that a press that was meant for another one, which stood there before, is not taken.
+struct NoticeMemory {
+    struct Stood {
+        std::string text;
+        Rect box;
+        double since = 0;  // when it came there, by ImGui::GetTime()
+        Point mouse;       // was there then
+        bool drawn = false;
+    };
+    std::vector<Stood> stood;
+    bool early = false;  // whether the last press came too early
+};
+
 // Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys
 // that it shows was pressed.
 enum class Menu : std::uint8_t { none, open, closing };
@@ -162,6 +175,7 @@ struct Memory {
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
     std::string notice;             // the outcome of the last request
     Failures failures;
+    NoticeMemory notices;
     bool labels = false;  // shows the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
