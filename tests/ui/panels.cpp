@@ -482,7 +482,7 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     click(place("failure.ok"));
     EXPECT_TRUE(has("failure 3.reload")) << "until there is room for it";
     failures.add({"a.html is not saved: a.glib:3:1: error"});
-    failures.leave();
+    failures.enter("/b.glib");
     ASSERT_EQ(failures.open.size(), 2U) << "another scene was opened";
     EXPECT_EQ(failures.open[0].remedy, Remedy::editor);
     failures.done(Remedy::editor);
@@ -496,6 +496,39 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     EXPECT_EQ(pressed("failure.again").edit.line, 7);
     EXPECT_EQ(pressed("failure.store").store_snapshot, 7);
     EXPECT_EQ(failures.open.size(), 1U);
+}
+
+TEST_F(UiTest, FailuresOfASceneComeBackWithIt) {
+    using Remedy = Failure::Remedy;
+    Failures& failures = memory_.failures;
+    failures.scene = "/a.glib";
+    facts_.changed = true;
+    failures.add({"snapshot 3 is not stored: no space left", Remedy::store, {}, 3, {{"--set Glass.uEta", ".62"}}});
+    failures.add({"not saved: no space left", Remedy::save});
+    failures.add({"false ended with status 1", Remedy::editor});
+    failures.add({"cannot read c.glib", Remedy::open, {"/c.glib", 1, 1}});
+    const auto texts = [&] {
+        std::string all;
+        for (const Failure& failure : failures.open) all += failure.text.substr(0, failure.text.find(' ')) + ' ';
+        return all;
+    };
+    const auto enter = [&](const char* scene, bool changed) {
+        failures.enter(scene);
+        ++facts_.revision;  // it is read
+        facts_.changed = changed;
+        frame();
+        return texts();
+    };
+    EXPECT_EQ(enter("/b.glib", false), "false ") << "the others are of the first";
+    failures.add({"there is no snapshot 5", Remedy::absent, {}, 5});
+    EXPECT_EQ(enter("/a.glib", true), "snapshot not false ") << "not one of the second";
+    EXPECT_EQ(failures.open[0].values.size(), 1U);
+    EXPECT_EQ(enter("/a.glib", true), "snapshot not false ") << "opened again";
+    EXPECT_EQ(enter("/b.glib", false), "there false ");
+    EXPECT_EQ(enter("/a.glib", false), "snapshot false ") << "nothing is left to save";
+    failures.open.clear();
+    enter("/b.glib", false);
+    EXPECT_EQ(enter("/a.glib", false), "") << "what was answered stays so";
 }
 
 // The notice above slides under the mouse, and must be read before it is answered.

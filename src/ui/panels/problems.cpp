@@ -328,9 +328,17 @@ void Failures::done(Remedy remedy, int snapshot) {
     });
 }
 
-void Failures::leave() {
-    std::erase_if(open,
-                  [](const Failure& other) { return other.remedy != Remedy::none && other.remedy != Remedy::editor; });
+void Failures::enter(const std::string& other) {
+    std::erase_if(open, [](const Failure& failure) { return failure.remedy == Remedy::open; });
+    const auto of_scene = std::stable_partition(open.begin(), open.end(), [](const Failure& failure) {
+        return failure.remedy == Remedy::none || failure.remedy == Remedy::editor;
+    });
+    left[scene].assign(of_scene, open.end());
+    open.erase(of_scene, open.end());
+    scene = other;
+    std::vector<Failure>& again = left[scene];
+    open.insert(open.begin(), again.begin(), again.end());
+    left.erase(scene);
 }
 
 float problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts, Memory& memory, Requests& requests,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -122,14 +123,16 @@ struct Failure {
 // The failures that are open, the latest last.
 struct Failures {
     std::vector<Failure> open;
+    std::string scene;                                 // that is shown, by its path
+    std::map<std::string, std::vector<Failure>> left;  // of other scenes that were shown, by theirs
 
     // Adds a failure, in place of an earlier one of the same request.
     void add(Failure failure);
     // Removes those of a request that has succeeded since: of the same kind, and of the same snapshot. Of values that
     // were not saved there is one at most.
     void done(Failure::Remedy remedy, int snapshot = 0);
-    // Removes those of the scene that is left for another one, which was opened.
-    void leave();
+    // Puts those of the scene away that is left for another one, which was opened, and takes out that one's.
+    void enter(const std::string& other);
 };
 
 // The notices over the picture, so that a press that was meant for another one, which stood there before, is not taken.
