@@ -531,6 +531,37 @@ TEST_F(UiTest, FailuresOfASceneComeBackWithIt) {
     EXPECT_EQ(enter("/a.glib", false), "") << "what was answered stays so";
 }
 
+TEST_F(UiTest, WhatIsNoLongerTrueIsNotSaidAndNothingIsSaidTwice) {
+    using Remedy = Failure::Remedy;
+    Failures& failures = memory_.failures;
+    failures.add({"not undone: a.glib was changed meanwhile: it is left as it is"});
+    failures.add({"not undone: a.snapshots.json was changed meanwhile: it is left as it is"});
+    failures.exchanged("undo: Glass.uEta 1.5");
+    failures.exchanged("undo: save to b.frag");
+    failures.exchanged("nothing to undo");
+    EXPECT_EQ(failures.open.size(), 2U) << "of other steps";
+    failures.exchanged("undo: save to b.frag a.glib");
+    ASSERT_EQ(failures.open.size(), 1U);
+    EXPECT_EQ(failures.open[0].text.find("not undone: a.snap"), 0U);
+    failures.exchanged("redo: snapshot 3");
+    EXPECT_TRUE(failures.open.empty());
+    // A path is shortened after it is said, by which time another may be.
+    for (int i = 0; i < 3; ++i) {
+        failures.add({"not undone: /scenes/a.glib is gone", i < 2 ? Remedy::none : Remedy::save_as});
+        failures.rewrite([](const std::string& text) {
+            const std::size_t at = text.find("/scenes/");
+            return at == text.npos ? text : text.substr(0, at) + text.substr(at + 8);
+        });
+        ASSERT_EQ(failures.open.size(), 1U) << i;
+    }
+    EXPECT_EQ(failures.open[0].text, "not undone: a.glib is gone");
+    EXPECT_EQ(failures.open[0].remedy, Remedy::save_as) << "the latest";
+    failures.open = {{"there is no snapshot 5", Remedy::absent, {}, 5}};
+    EXPECT_TRUE(has("failure.ok"));
+    facts_.snapshots[5] = true;
+    EXPECT_FALSE(has("failure.ok")) << "another window has stored it";
+}
+
 // The notice above slides under the mouse, and must be read before it is answered.
 TEST_F(UiTest, ADoubleClickAnswersOneNotice) {
     using Remedy = Failure::Remedy;

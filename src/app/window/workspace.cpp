@@ -171,6 +171,7 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
                                                  : ui::Failure::Remedy::save_as});
             else
                 memory.notice = undone;
+            memory.failures.exchanged(undone);
             keeper_.look_again();
         }
         if (requests.save_as_now) expand_tilde(memory.save_as);
@@ -186,8 +187,8 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         serve_page(requests, view, memory);
     }
     const std::optional<std::string> other = opener_.serve(requests, session_.path(), memory);
-    for (ui::Failure& failure : memory.failures.open)
-        failure.text = near_names(failure.text, std::filesystem::path(session_.path()).parent_path().string());
+    const std::string folder = std::filesystem::path(session_.path()).parent_path().string();
+    memory.failures.rewrite([&](const std::string& text) { return near_names(text, folder); });
     return other;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "parser/text/words.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
@@ -250,7 +251,7 @@ bool of_saving(Remedy remedy) {
 // True if both are of the same request, or say the same.
 bool same(const Failure& a, const Failure& b) {
     if (of_saving(a.remedy) && of_saving(b.remedy)) return true;
-    if (a.remedy != b.remedy) return false;
+    if (a.remedy != b.remedy) return a.text == b.text && a.snapshot == b.snapshot;
     if (a.remedy == Remedy::none || a.remedy == Remedy::editor) return a.text == b.text;
     return a.remedy == Remedy::absent || (a.place.file == b.place.file && a.snapshot == b.snapshot);
 }
@@ -312,6 +313,7 @@ void failure_boxes(const Rect& scene, float& bottom, Memory& memory, Requests& r
 bool mended(const Failure& failure, bool read_again, const Facts& facts) {
     if (failure.remedy == Remedy::reload) return read_again;
     if (failure.remedy == Remedy::save_as) return read_again && !facts.stale;
+    if (failure.remedy == Remedy::absent) return facts.snapshots[static_cast<std::size_t>(failure.snapshot)];
     return failure.remedy == Remedy::save && !facts.changed;
 }
 
@@ -326,6 +328,27 @@ void Failures::done(Remedy remedy, int snapshot) {
     std::erase_if(open, [&](const Failure& other) {
         return other.snapshot == snapshot && (other.remedy == remedy || (of_saving(remedy) && of_saving(other.remedy)));
     });
+}
+
+void Failures::exchanged(std::string_view said) {
+    constexpr std::string_view save = "save to ", snapshot = "snapshot ";
+    const std::string_view step = said.substr(std::min(said.size(), said.find(' ') + 1));
+    if (!step.starts_with(save) && !step.starts_with(snapshot)) return;
+    std::vector<std::string_view> files{".snapshots.json"};
+    if (step.starts_with(save)) files = split(step.substr(save.size()));
+    std::erase_if(open, [&](const Failure& failure) {
+        const bool of_step = failure.text.starts_with("not undone: ") || failure.text.starts_with("not redone: ");
+        return of_step && std::any_of(files.begin(), files.end(), [&](std::string_view file) {
+                   return failure.text.find(file) != failure.text.npos;
+               });
+    });
+}
+
+void Failures::rewrite(const std::function<std::string(const std::string& text)>& words) {
+    for (Failure& failure : std::exchange(open, {})) {
+        failure.text = words(failure.text);
+        add(std::move(failure));
+    }
 }
 
 void Failures::enter(const std::string& other) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -131,6 +132,11 @@ struct Failures {
     // Removes those of a request that has succeeded since: of the same kind, and of the same snapshot. Of values that
     // were not saved there is one at most.
     void done(Failure::Remedy remedy, int snapshot = 0);
+    // Removes those that say that a save was not undone, or redone, whose file has been exchanged since: `said` is what
+    // undo or redo did, such as "undo: save to a.glib".
+    void exchanged(std::string_view said);
+    // Says the same in other words. What says the same then is said once.
+    void rewrite(const std::function<std::string(const std::string& text)>& words);
     // Puts those of the scene away that is left for another one, which was opened, and takes out that one's.
     void enter(const std::string& other);
 };
