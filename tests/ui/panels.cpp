@@ -226,7 +226,8 @@ TEST_F(UiTest, ClicksAreCountedByTheirTimesNotByFrames) {
                            Row{"one in each of two frames of a second", {32, 33}, {33, 34}, false},
                            Row{"for half a second there was none", {40, 40}, {40.5, 41.5}, false},
                            Row{"they are far apart", {50, 50}, {54, 54}, false},
-                           Row{"during the first picture, which took half a minute", {60, 90}, {60, 90}, false}}) {
+                           Row{"during the first picture, which took half a minute", {60, 90}, {60, 90}, false},
+                           Row{"during the longer frame of the first", {100, 100}, {100.001, 102.5}, true}}) {
         SCOPED_TRACE(row.what);
         value = 1.1;
         const auto press = [&](const Press& at) {
@@ -245,6 +246,28 @@ TEST_F(UiTest, ClicksAreCountedByTheirTimesNotByFrames) {
         EXPECT_EQ(value == 1.1, row.twice) << "nothing that the first click did remains";
         frame({}, 1);
     }
+}
+
+// All that came while one picture was drawn: the field that the second click opens has what was typed after it.
+TEST_F(UiTest, DigitsAfterADoubleClickGoToTheFieldThatItOpens) {
+    add_slider("uEta", .1, 1.1, 5);
+    facts_.snapshots[2] = true;
+    const Rect bar = place("Glass.uEta");
+    frame({move(bar.x + bar.width * .9, bar.y + bar.height / 2)}, 1);
+    frame({button(true)}, .02);
+    std::vector<Event> rest{button(false),
+                            button(true),
+                            button(false),
+                            key(static_cast<Key>(static_cast<int>(Key::one) + 1), true),
+                            {.kind = Event::Kind::text, .text = '2'}};
+    for (Event& event : rest) {
+        event.since = clock_ + .001;
+        event.seen = clock_ + 2.5;
+    }
+    frame(rest, 2.5);
+    EXPECT_EQ(requests_.restore_snapshot, 0);
+    frame({key(Key::enter, true)});
+    EXPECT_EQ(controls_.items[0].value[0], 2);
 }
 
 TEST_F(UiTest, AProgramWithoutSlidersIsAFoldedLine) {
