@@ -17,6 +17,7 @@
 #include "src/app/desktop/settings.h"
 #include "src/app/open/snapshots.h"
 #include "src/app/open/write_copy.h"
+#include "src/app/window/survive/keeper.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
 #include "src/document/document.h"
@@ -185,6 +186,29 @@ TEST_F(Disk, SnapshotsStayOnAFullDisk) {
     std::signal(SIGXFSZ, usual_signal);
     EXPECT_NE(error.find("File too large"), std::string::npos) << error;
     EXPECT_EQ(bytes_of(at("s.snapshots.json")), before);
+}
+
+// As the window does it: two snapshots that a full disk refused, of values that are no longer those of now.
+TEST_F(Disk, SnapshotsThatAreTriedAgainHoldTheValuesOfThen) {
+    auto document = open_file(at("s.glib"));
+    Keeper keeper(document->path);
+    ui::Memory memory;
+    const auto serve = [&](const ui::Requests& requests) { return keeper.serve(requests, *document, {}, memory); };
+    std::vector<double>& value = document->controls.items.front().value;
+    fs::create_directory(at("s.snapshots.json"));
+    for (const auto& [number, a] : {std::pair{8, .62}, {9, .94}}) {
+        value = {a};
+        serve({.store_snapshot = number});
+    }
+    ASSERT_EQ(memory.failures.open.size(), 2U);
+    fs::remove(at("s.snapshots.json"));
+    for (const ui::Failure& failure : std::vector(memory.failures.open))
+        serve({.store_snapshot = failure.snapshot, .values = failure.values});
+    EXPECT_TRUE(memory.failures.open.empty());
+    for (const auto& [number, a] : {std::pair{8, .62}, {9, .94}}) {
+        ASSERT_EQ(restore_snapshot(number, *document).error, "");
+        EXPECT_EQ(value, std::vector{a}) << number;
+    }
 }
 
 TEST_F(Disk, TheRealErrorOfAFullDevice) {

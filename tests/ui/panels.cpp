@@ -226,7 +226,8 @@ TEST_F(UiTest, ClicksAreCountedByTheirTimesNotByFrames) {
                            Row{"one in each of two frames of a second", {32, 33}, {33, 34}, false},
                            Row{"for half a second there was none", {40, 40}, {40.5, 41.5}, false},
                            Row{"they are far apart", {50, 50}, {54, 54}, false},
-                           Row{"during the first picture, which took half a minute", {60, 90}, {60, 90}, false}}) {
+                           Row{"during the first picture, which took half a minute", {60, 90}, {60, 90}, false},
+                           Row{"during the longer frame of the first", {100, 100}, {100.001, 102.5}, true}}) {
         SCOPED_TRACE(row.what);
         value = 1.1;
         const auto press = [&](const Press& at) {
@@ -245,6 +246,28 @@ TEST_F(UiTest, ClicksAreCountedByTheirTimesNotByFrames) {
         EXPECT_EQ(value == 1.1, row.twice) << "nothing that the first click did remains";
         frame({}, 1);
     }
+}
+
+// All that came while one picture was drawn: the field that the second click opens has what was typed after it.
+TEST_F(UiTest, DigitsAfterADoubleClickGoToTheFieldThatItOpens) {
+    add_slider("uEta", .1, 1.1, 5);
+    facts_.snapshots[2] = true;
+    const Rect bar = place("Glass.uEta");
+    frame({move(bar.x + bar.width * .9, bar.y + bar.height / 2)}, 1);
+    frame({button(true)}, .02);
+    std::vector<Event> rest{button(false),
+                            button(true),
+                            button(false),
+                            key(static_cast<Key>(static_cast<int>(Key::one) + 1), true),
+                            {.kind = Event::Kind::text, .text = '2'}};
+    for (Event& event : rest) {
+        event.since = clock_ + .001;
+        event.seen = clock_ + 2.5;
+    }
+    frame(rest, 2.5);
+    EXPECT_EQ(requests_.restore_snapshot, 0);
+    frame({key(Key::enter, true)});
+    EXPECT_EQ(controls_.items[0].value[0], 2);
 }
 
 TEST_F(UiTest, AProgramWithoutSlidersIsAFoldedLine) {
@@ -452,7 +475,7 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     using Remedy = Failure::Remedy;
     facts_.changed = true;
     Failures& failures = memory_.failures;
-    failures.add({"snapshot 3 is not stored: no space left", Remedy::store, {}, 3});
+    failures.add({"snapshot 3 is not stored: no space left", Remedy::store, {}, 3, {{"--set Glass.uEta", ".62"}}});
     failures.add({"snapshot 4 cannot be read", Remedy::recall, {}, 4});
     failures.add({"not saved: no space left", Remedy::save});
     EXPECT_LT(place("failure 3.ok").y, place("failure 2.ok").y);
@@ -464,7 +487,10 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
         frame({button(false)});
         return requests_;
     };
-    EXPECT_EQ(pressed("failure 3.again").store_snapshot, 3);
+    const Requests again = pressed("failure 3.again");
+    EXPECT_EQ(again.store_snapshot, 3);
+    EXPECT_EQ(again.values, (snell::Setup{{"--set Glass.uEta", ".62"}}))
+        << "what was not stored, not the values of now";
     EXPECT_EQ(pressed("failure 2.again").restore_snapshot, 4);
     EXPECT_FALSE(has("failure 2.ok")) << "these are answered";
     EXPECT_TRUE(has("failure.again")) << "that one is not";
@@ -479,7 +505,7 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     click(place("failure.ok"));
     EXPECT_TRUE(has("failure 3.reload")) << "until there is room for it";
     failures.add({"a.html is not saved: a.glib:3:1: error"});
-    failures.leave();
+    failures.enter("/b.glib");
     ASSERT_EQ(failures.open.size(), 2U) << "another scene was opened";
     EXPECT_EQ(failures.open[0].remedy, Remedy::editor);
     failures.done(Remedy::editor);
@@ -493,6 +519,106 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     EXPECT_EQ(pressed("failure.again").edit.line, 7);
     EXPECT_EQ(pressed("failure.store").store_snapshot, 7);
     EXPECT_EQ(failures.open.size(), 1U);
+}
+
+TEST_F(UiTest, FailuresOfASceneComeBackWithIt) {
+    using Remedy = Failure::Remedy;
+    Failures& failures = memory_.failures;
+    failures.scene = "/a.glib";
+    facts_.changed = true;
+    failures.add({"snapshot 3 is not stored: no space left", Remedy::store, {}, 3, {{"--set Glass.uEta", ".62"}}});
+    failures.add({"not saved: no space left", Remedy::save});
+    failures.add({"false ended with status 1", Remedy::editor});
+    failures.add({"cannot read c.glib", Remedy::open, {"/c.glib", 1, 1}});
+    const auto texts = [&] {
+        std::string all;
+        for (const Failure& failure : failures.open) all += failure.text.substr(0, failure.text.find(' ')) + ' ';
+        return all;
+    };
+    const auto enter = [&](const char* scene, bool changed) {
+        failures.enter(scene);
+        ++facts_.revision;  // it is read
+        facts_.changed = changed;
+        frame();
+        return texts();
+    };
+    EXPECT_EQ(enter("/b.glib", false), "false ") << "the others are of the first";
+    failures.add({"there is no snapshot 5", Remedy::absent, {}, 5});
+    EXPECT_EQ(enter("/a.glib", true), "snapshot not false ") << "not one of the second";
+    EXPECT_EQ(failures.open[0].values.size(), 1U);
+    EXPECT_EQ(enter("/a.glib", true), "snapshot not false ") << "opened again";
+    EXPECT_EQ(enter("/b.glib", false), "there false ");
+    EXPECT_EQ(enter("/a.glib", false), "snapshot false ") << "nothing is left to save";
+    failures.open.clear();
+    enter("/b.glib", false);
+    EXPECT_EQ(enter("/a.glib", false), "") << "what was answered stays so";
+}
+
+TEST_F(UiTest, WhatIsNoLongerTrueIsNotSaidAndNothingIsSaidTwice) {
+    using Remedy = Failure::Remedy;
+    Failures& failures = memory_.failures;
+    failures.add({"not undone: a.glib was changed meanwhile: it is left as it is"});
+    failures.add({"not undone: a.snapshots.json was changed meanwhile: it is left as it is"});
+    failures.exchanged("undo: Glass.uEta 1.5");
+    failures.exchanged("undo: save to b.frag");
+    failures.exchanged("nothing to undo");
+    EXPECT_EQ(failures.open.size(), 2U) << "of other steps";
+    failures.exchanged("undo: save to b.frag a.glib");
+    ASSERT_EQ(failures.open.size(), 1U);
+    EXPECT_EQ(failures.open[0].text.find("not undone: a.snap"), 0U);
+    failures.exchanged("redo: snapshot 3");
+    EXPECT_TRUE(failures.open.empty());
+    // A path is shortened after it is said, by which time another may be.
+    for (int i = 0; i < 3; ++i) {
+        failures.add({"not undone: /scenes/a.glib is gone", i < 2 ? Remedy::none : Remedy::save_as});
+        failures.rewrite([](const std::string& text) {
+            const std::size_t at = text.find("/scenes/");
+            return at == text.npos ? text : text.substr(0, at) + text.substr(at + 8);
+        });
+        ASSERT_EQ(failures.open.size(), 1U) << i;
+    }
+    EXPECT_EQ(failures.open[0].text, "not undone: a.glib is gone");
+    EXPECT_EQ(failures.open[0].remedy, Remedy::save_as) << "the latest";
+    failures.open = {{"there is no snapshot 5", Remedy::absent, {}, 5}};
+    EXPECT_TRUE(has("failure.ok"));
+    facts_.snapshots[5] = true;
+    EXPECT_FALSE(has("failure.ok")) << "another window has stored it";
+}
+
+// The notice above slides under the mouse, and must be read before it is answered.
+TEST_F(UiTest, ADoubleClickAnswersOneNotice) {
+    using Remedy = Failure::Remedy;
+    facts_.changed = true;
+    // A picture takes that long: the second press was made while it was drawn, or the mouse waited.
+    for (const double picture : {.02, .1, 2.5})
+        for (const char* name : {"failure.ok", "failure.again"}) {
+            memory_.failures.open = {{"not saved: no space left", Remedy::save},
+                                     {"snapshot 4 cannot be read", Remedy::recall, {}, 4},
+                                     {"snapshot 3 is not stored: no space left", Remedy::store, {}, 3}};
+            const Rect at = place(name);
+            frame({move(1, 1)});
+            frame({move(at.x + at.width / 2, at.y + at.height / 2)}, 1);
+            const auto press = [&](bool down, double seconds) {
+                Event event = button(down);
+                event.since = clock_;
+                event.seen = clock_ + seconds;
+                frame({event}, seconds);
+                return requests_.restore_snapshot > 0 || requests_.save;
+            };
+            press(true, .02);
+            press(false, .02);
+            ASSERT_EQ(memory_.failures.open.size(), 2U) << name;
+            for (int more = 0; more < 2; ++more) {
+                press(true, picture);
+                EXPECT_FALSE(press(false, .02)) << name << ' ' << picture;
+                EXPECT_EQ(memory_.failures.open.size(), 2U) << name << ' ' << picture;
+                if (picture > 1) break;
+            }
+            frame({}, 1);
+            press(true, .02);
+            press(false, .02);
+            EXPECT_EQ(memory_.failures.open.size(), 1U) << "once it was there for a while";
+        }
 }
 
 TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {

@@ -47,15 +47,23 @@ std::array<bool, most_snapshots + 1> snapshots_there(const std::string& scene) {
     return there;
 }
 
+Setup snapshot_of(const Document& document) {
+    Setup setup = setup_of(document.scene(), document.controls);
+    erase(setup, range_option);
+    return setup;
+}
+
 std::string store_snapshot(int number, const Document& document) {
-    Json json = read(document.path);
-    const std::string file = snapshots_file(document.path);
+    return store_snapshot(number, document.path, snapshot_of(document));
+}
+
+std::string store_snapshot(int number, const std::string& scene, const Setup& values) {
+    Json json = read(scene);
+    const std::string file = snapshots_file(scene);
     if (json.is_discarded()) return file + " cannot be read as JSON: it is left as it is";
     Json& snapshot = json[std::to_string(number)];
     if (!snapshot.is_object()) snapshot = {{"name", ""}};
-    Setup setup = setup_of(document.scene(), document.controls);
-    erase(setup, range_option);
-    snapshot["options"] = setup_text(setup);
+    snapshot["options"] = setup_text(values);
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 

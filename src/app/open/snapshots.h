@@ -19,8 +19,12 @@ std::string snapshots_file(const std::string& scene);
 // For each number from 1 to 9, whether the snapshot exists. All false if the file cannot be read.
 std::array<bool, most_snapshots + 1> snapshots_there(const std::string& scene);
 
-// Stores all values and rungs of the document; the other contents of the file stay. Returns "" or the error.
+// What a snapshot stores: all values and rungs of the document.
+Setup snapshot_of(const Document& document);
+
+// Stores them, or those of `values`; the other contents of the file stay. Returns "" or the error.
 std::string store_snapshot(int number, const Document& document);
+std::string store_snapshot(int number, const std::string& scene, const Setup& values);
 
 // Of a number that no snapshot of the scene has: that there is none, and which there are.
 std::string no_snapshot(std::string_view number, const std::string& scene);

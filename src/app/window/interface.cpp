@@ -17,11 +17,11 @@ Interface::Interface(Window& window, bool listening) : window_(window), gui_(&wi
     view_.axes = true;  // for a window that loses its context before a scene could be read
 }
 
-void Interface::begin_scene() {
+void Interface::begin_scene(const std::string& scene) {
     ui::Memory fresh;
     carry_looks(memory_, fresh);
     fresh.failures = std::move(memory_.failures);
-    fresh.failures.leave();
+    fresh.failures.enter(whole_path(scene));
     memory_ = std::move(fresh);
     view_ = {};
 }

@@ -26,8 +26,9 @@ public:
     View& view() { return view_; }
     ui::Memory& memory() { return memory_; }
     const ui::Layout& layout() const { return layout_; }
-    // Begins with the view and the memory of a scene that was just opened; the appearance of the window stays.
-    void begin_scene();
+    // Begins with the view and the memory of a scene that was just opened; the appearance of the window stays, and what
+    // could not be done in the scene before waits until that is opened again.
+    void begin_scene(const std::string& scene);
 
     // Starts the clocks, when the window is shown.
     void start();

@@ -16,6 +16,7 @@
 
 #include "parser/text/words.h"
 #include "src/app/desktop/folder.h"
+#include "src/app/desktop/settings.h"
 #include "src/app/desktop/watch.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
@@ -159,6 +160,7 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
       measuring_(options.scene, caps_),
       hang_(restart.hang_watch(options.timeout)) {
     restore(workspace_.settings(), options.scene, interface_.memory());
+    interface_.memory().failures.scene = whole_path(options.scene);
     if (!carried) {
         workspace_.begin(interface_.view(), interface_.memory().notice);
         return;
@@ -409,7 +411,7 @@ void App::show_scene(const std::optional<std::string>& path) {
         interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }
-    interface_.begin_scene();
+    interface_.begin_scene(*path);
     workspace_.begin(interface_.view(), interface_.memory().notice);
     picking_ = {};
     measuring_.begin_scene(*path);

@@ -172,17 +172,14 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
                 memory.failures.add({undone, std::filesystem::exists(session_.path(), unknown)
                                                  ? ui::Failure::Remedy::none
                                                  : ui::Failure::Remedy::save_as});
-            else {
-                std::erase_if(memory.failures.open, [](const ui::Failure& failure) {
-                    return failure.remedy == ui::Failure::Remedy::none &&
-                           (failure.text.starts_with("not undone: ") || failure.text.starts_with("not redone: "));
-                });
+            else
                 memory.notice = undone;
-            }
+            memory.failures.exchanged(undone);
             keeper_.look_again();
         }
         if (requests.save_as_now) expand_tilde(memory.save_as);
-        Keeper::Served served = keeper_.serve(requests, *document(), shown, window, memory);
+        Keeper::Served served = keeper_.serve(requests, *document(), shown, memory);
+        if (!served.copied.empty()) window.set_clipboard(served.copied);
         if (requests.save_as) memory.save_as.folder = folder();
         if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files), session_);
         if (!served.saved_as.empty()) {
@@ -193,8 +190,8 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         serve_page(requests, view, memory);
     }
     const std::optional<std::string> other = opener_.serve(requests, session_.path(), memory);
-    for (ui::Failure& failure : memory.failures.open)
-        failure.text = near_names(failure.text, std::filesystem::path(session_.path()).parent_path().string());
+    const std::string folder = std::filesystem::path(session_.path()).parent_path().string();
+    memory.failures.rewrite([&](const std::string& text) { return near_names(text, folder); });
     return other;
 }
 

@@ -16,15 +16,16 @@ namespace {
 bool is_press(const Event& event) { return event.kind == Event::Kind::button || event.kind == Event::Kind::key; }
 
 // Two presses are a double click by when they happened, however long the frames between them took. If they may be close
-// together, they are one unless they may also be a second apart; during a single frame, which tells nothing of that,
-// they are one unless it took far longer. Dear ImGui, which compares the times of frames, is told to take any or none;
+// together, they are one unless they may also be a second apart; if that is because of a single frame, which tells
+// nothing of it, they are one unless it took far longer: both came during it, or it is that which the first press, seen
+// at once, led to. Dear ImGui, which compares the times of frames, is told to take any or none;
 // how far they are apart it knows.
 void count_click(const Event& event) {
-    constexpr double longest = .3, apart = 1, far_apart = 3;  // seconds
+    constexpr double longest = .3, apart = 1, far_apart = 3, at_once = .02;  // seconds
     ClickMemory& last = kit().click;
     const double least = event.since - last.seen, most = event.seen - last.since;
-    const bool soon =
-        last.button == event.button && least < longest && most <= (event.since == last.since ? far_apart : apart);
+    const bool one_frame = event.since == last.since || (last.since == last.seen && least < at_once);
+    const bool soon = last.button == event.button && least < longest && most <= (one_frame ? far_apart : apart);
     ImGui::GetIO().MouseDoubleClickTime = soon ? 1e6F : -1;
     last = {event.button, event.since, event.seen};
 }

@@ -2,10 +2,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "parser/text/words.h"
 #include "src/plan/values/numbers.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/panels/panels.h"
 
@@ -178,10 +181,43 @@ float problems_window(const Facts& facts, Severity severity, const Rect& scene, 
     return cut ? bottom + problems_grip(scene, bottom, memory, layout) : bottom;
 }
 
+// Notes where the notice that is being drawn stands. A press on it is too early if it may have happened within half a
+// second of when the notice came there, under a mouse that has hardly moved since: the second click of two on the
+// notice that stood there before. However long a picture takes, a press lies between two looks for events.
+void stand(std::string_view text, NoticeMemory& memory) {
+    constexpr double until_seen = .5;  // seconds
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const Rect box{at.x, at.y, size.x, size.y};
+    auto stood = std::find_if(memory.stood.begin(), memory.stood.end(),
+                              [&](const NoticeMemory::Stood& other) { return other.text == text; });
+    if (stood == memory.stood.end()) stood = memory.stood.insert(stood, {std::string(text), {}, 0, {}, false});
+    stood->drawn = true;
+    if (stood->box != box) {
+        stood->box = box;
+        stood->since = ImGui::GetTime();
+        stood->mouse = {io.MousePos.x, io.MousePos.y};
+    }
+    if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !box.contains(io.MousePos.x, io.MousePos.y)) return;
+    const ClickMemory& click = kit().click;
+    const bool moved = std::hypot(io.MousePos.x - stood->mouse.x, io.MousePos.y - stood->mouse.y) >
+                       static_cast<double>(io.MouseDoubleClickMaxDist);
+    memory.early = !moved && ImGui::GetTime() - (click.seen - click.since) < stood->since + until_seen;
+}
+
+// Forgets the notices that are gone. Before any is drawn, no press is too early.
+void begin_notices(NoticeMemory& memory) {
+    std::erase_if(memory.stood, [](NoticeMemory::Stood& stood) { return !std::exchange(stood.drawn, false); });
+    memory.early &= !ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+}
+
+// True while the release of a press that came too early must not act.
+bool too_early(const NoticeMemory& memory) { return memory.early && ImGui::IsMouseReleased(ImGuiMouseButton_Left); }
+
 // Shows a text above `bottom`, which moves up by its height, and beside it what `buttons` draws.
 template <typename Buttons>
 void message_box(std::string_view text, const ImVec4& color, int index, const Rect& scene, float& bottom,
-                 float buttons_width, const Buttons& buttons) {
+                 float buttons_width, NoticeMemory& memory, const Buttons& buttons) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
     if (bottom - scene.y < 4 * ImGui::GetFontSize()) return;  // there is room once those below it are answered
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
@@ -198,6 +234,7 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
         ImGui::TextUnformatted(text.data(), text.data() + text.size());
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
+        stand(text, memory);
         buttons();
     }
     bottom -= ImGui::GetWindowHeight() + margin * .5F;
@@ -214,7 +251,7 @@ bool of_saving(Remedy remedy) {
 // True if both are of the same request, or say the same.
 bool same(const Failure& a, const Failure& b) {
     if (of_saving(a.remedy) && of_saving(b.remedy)) return true;
-    if (a.remedy != b.remedy) return false;
+    if (a.remedy != b.remedy) return a.text == b.text && a.snapshot == b.snapshot;
     if (a.remedy == Remedy::none || a.remedy == Remedy::editor) return a.text == b.text;
     return a.remedy == Remedy::absent || (a.place.file == b.place.file && a.snapshot == b.snapshot);
 }
@@ -225,14 +262,20 @@ bool remedies(const Failure& failure, const std::string& name, Memory& memory, R
     bool chosen = false, first = true;
     const auto offer = [&](const char* text, const char* what, auto&& act) {
         const std::string whole = name + what;
-        if (!(std::exchange(first, false) ? button(text, layout, whole) : next_button(text, layout, whole))) return;
+        const bool pressed =
+            std::exchange(first, false) ? button(text, layout, whole) : next_button(text, layout, whole);
+        if (!pressed || too_early(memory.notices)) return;
         act();
         chosen = true;
     };
     if (remedy == Remedy::reload) offer("Reload", ".reload", [&] { requests.reload = true; });
     if (remedy == Remedy::save) offer("Try again", ".again", [&] { requests.save = true; });
     if (of_saving(remedy)) offer("Save as\u2026", ".save as", [&] { requests.save_as = true; });
-    if (remedy == Remedy::store) offer("Try again", ".again", [&] { requests.store_snapshot = failure.snapshot; });
+    if (remedy == Remedy::store)
+        offer("Try again", ".again", [&] {
+            requests.store_snapshot = failure.snapshot;
+            requests.values = failure.values;
+        });
     if (remedy == Remedy::recall) offer("Try again", ".again", [&] { requests.restore_snapshot = failure.snapshot; });
     if (remedy == Remedy::absent) offer("Store it", ".store", [&] { requests.store_snapshot = failure.snapshot; });
     if (remedy == Remedy::open)
@@ -256,11 +299,12 @@ void failure_boxes(const Rect& scene, float& bottom, Memory& memory, Requests& r
         const std::size_t at = open.size() - 1 - i;
         const std::string name = i == 0 ? "failure" : fmt::format("failure {}", i + 1);
         const std::size_t more = i + 1 == shown ? open.size() - shown : 0;
-        message_box(open[at].text, palette().error_text, -static_cast<int>(i), scene, bottom, button_width("OK"), [&] {
-            const bool read = right_button("OK", layout, name + ".ok");
-            if (remedies(open[at], name, memory, requests, layout) || read) done = at;
-            if (more > 0) wrapped(fmt::format("and {} more", more), true);
-        });
+        message_box(open[at].text, palette().error_text, -static_cast<int>(i), scene, bottom, button_width("OK"),
+                    memory.notices, [&] {
+                        const bool read = right_button("OK", layout, name + ".ok") && !too_early(memory.notices);
+                        if (remedies(open[at], name, memory, requests, layout) || read) done = at;
+                        if (more > 0) wrapped(fmt::format("and {} more", more), true);
+                    });
     }
     if (done) open.erase(open.begin() + static_cast<std::ptrdiff_t>(*done));
 }
@@ -269,6 +313,7 @@ void failure_boxes(const Rect& scene, float& bottom, Memory& memory, Requests& r
 bool mended(const Failure& failure, bool read_again, const Facts& facts) {
     if (failure.remedy == Remedy::reload) return read_again;
     if (failure.remedy == Remedy::save_as) return read_again && !facts.stale;
+    if (failure.remedy == Remedy::absent) return facts.snapshots[static_cast<std::size_t>(failure.snapshot)];
     return failure.remedy == Remedy::save && !facts.changed;
 }
 
@@ -285,9 +330,38 @@ void Failures::done(Remedy remedy, int snapshot) {
     });
 }
 
-void Failures::leave() {
-    std::erase_if(open,
-                  [](const Failure& other) { return other.remedy != Remedy::none && other.remedy != Remedy::editor; });
+void Failures::exchanged(std::string_view said) {
+    constexpr std::string_view save = "save to ", snapshot = "snapshot ";
+    const std::string_view step = said.substr(std::min(said.size(), said.find(' ') + 1));
+    if (!step.starts_with(save) && !step.starts_with(snapshot)) return;
+    std::vector<std::string_view> files{".snapshots.json"};
+    if (step.starts_with(save)) files = split(step.substr(save.size()));
+    std::erase_if(open, [&](const Failure& failure) {
+        const bool of_step = failure.text.starts_with("not undone: ") || failure.text.starts_with("not redone: ");
+        return of_step && std::any_of(files.begin(), files.end(), [&](std::string_view file) {
+                   return failure.text.find(file) != failure.text.npos;
+               });
+    });
+}
+
+void Failures::rewrite(const std::function<std::string(const std::string& text)>& words) {
+    for (Failure& failure : std::exchange(open, {})) {
+        failure.text = words(failure.text);
+        add(std::move(failure));
+    }
+}
+
+void Failures::enter(const std::string& other) {
+    std::erase_if(open, [](const Failure& failure) { return failure.remedy == Remedy::open; });
+    const auto of_scene = std::stable_partition(open.begin(), open.end(), [](const Failure& failure) {
+        return failure.remedy == Remedy::none || failure.remedy == Remedy::editor;
+    });
+    left[scene].assign(of_scene, open.end());
+    open.erase(of_scene, open.end());
+    scene = other;
+    std::vector<Failure>& again = left[scene];
+    open.insert(open.begin(), again.begin(), again.end());
+    left.erase(scene);
 }
 
 float problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts, Memory& memory, Requests& requests,
@@ -323,14 +397,16 @@ float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& re
     if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 7 * ImGui::GetFontSize()));
     float bottom = first;
     int index = 0;
+    begin_notices(memory.notices);
     failure_boxes(scene, bottom, memory, requests, layout);
     std::span<const Message> messages;
     if (facts.scene && memory.panel) messages = facts.scene->messages;
     for (const Message& message : messages) {
         if (memory.dismissed.contains(message.text)) continue;
         message_box(message.text, ImGui::GetStyleColorVec4(ImGuiCol_Text), ++index, scene, bottom, button_width("OK"),
-                    [&] {
-                        if (right_button("OK", layout, "message.ok")) memory.dismissed.insert(message.text);
+                    memory.notices, [&] {
+                        if (right_button("OK", layout, "message.ok") && !too_early(memory.notices))
+                            memory.dismissed.insert(message.text);
                     });
     }
     return bottom < first ? bottom : end;

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,6 +15,7 @@
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
+#include "src/plan/setup.h"
 #include "src/plan/values/animate.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
@@ -107,26 +110,48 @@ inline constexpr double hint_seconds = 4;
 struct Failure {
     // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
     // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
-    // opens, until one does. store, recall: the same snapshot again, until that succeeds. absent: there is no such
-    // snapshot, until one is stored. open: another scene, with the name that was refused in the field.
+    // opens, until one does. store: the same snapshot again, with the values of then; recall: the same; both until that
+    // succeeds. absent: there is no such snapshot, until one is stored. open: another scene, with the name that was
+    // refused in the field.
     enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, absent, open };
     std::string text;
     Remedy remedy = Remedy::none;
-    Place place = {};  // where the editor was to open; the file that could not be opened
-    int snapshot = 0;  // its number
+    Place place = {};   // where the editor was to open; the file that could not be opened
+    int snapshot = 0;   // its number
+    Setup values = {};  // that were not stored
 };
 
 // The failures that are open, the latest last.
 struct Failures {
     std::vector<Failure> open;
+    std::string scene;                                 // that is shown, by its path
+    std::map<std::string, std::vector<Failure>> left;  // of other scenes that were shown, by theirs
 
     // Adds a failure, in place of an earlier one of the same request.
     void add(Failure failure);
     // Removes those of a request that has succeeded since: of the same kind, and of the same snapshot. Of values that
     // were not saved there is one at most.
     void done(Failure::Remedy remedy, int snapshot = 0);
-    // Removes those of the scene that is left for another one, which was opened.
-    void leave();
+    // Removes those that say that a save was not undone, or redone, whose file has been exchanged since: `said` is what
+    // undo or redo did, such as "undo: save to a.glib".
+    void exchanged(std::string_view said);
+    // Says the same in other words. What says the same then is said once.
+    void rewrite(const std::function<std::string(const std::string& text)>& words);
+    // Puts those of the scene away that is left for another one, which was opened, and takes out that one's.
+    void enter(const std::string& other);
+};
+
+// The notices over the picture, so that a press that was meant for another one, which stood there before, is not taken.
+struct NoticeMemory {
+    struct Stood {
+        std::string text;
+        Rect box;
+        double since = 0;  // when it came there, by ImGui::GetTime()
+        Point mouse;       // was there then
+        bool drawn = false;
+    };
+    std::vector<Stood> stood;
+    bool early = false;  // whether the last press came too early
 };
 
 // Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys
@@ -159,6 +184,7 @@ struct Memory {
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
     std::string notice;             // the outcome of the last request
     Failures failures;
+    NoticeMemory notices;
     bool labels = false;  // shows the values over the picture
     Clock clock;
     AccuracyMemory accuracy;
@@ -188,6 +214,7 @@ struct Requests {
     bool copy_command = false;
     std::optional<Point> pick;                     // picks the object at this point
     int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none
+    std::optional<Setup> values;                   // that are stored, in place of those of now
     bool measure = false;                          // measures all rungs of the plotted ladder, or stops measuring
     bool measure_frame = false;                    // measures passes and draws of a frame, or stops measuring
     bool find_rungs = false;                       // seeks rungs, or stops seeking

@@ -26,6 +26,33 @@ TEST_F(Past, AnotherSceneAndBackIsAsItWas) {
     EXPECT_EQ(red(), before["controls"]["Paint.uRed"][0]);
 }
 
+TEST_F(Past, WhatCouldNotBeStoredWaitsForItsScene) {
+    open("one.glib");
+    std::filesystem::create_directory(file("one.snapshots.json"));
+    slide(.75);
+    const double slid = red();
+    press("ctrl+8");
+    const std::string said = state()["failure"];
+    EXPECT_EQ(said.find("snapshot 8 is not stored: "), 0U) << said;
+    slide(.3);
+    show("two.glib");
+    EXPECT_EQ(state()["failure"], "") << "not of this one";
+    show("one.glib");
+    EXPECT_EQ(state()["failure"], said);
+    press("ctrl+9");
+    settle();
+    const auto at = on("failure.ok", .5);
+    user("mousemove " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " click --repeat 3 --delay 90 1");
+    settle();
+    EXPECT_EQ(state()["failure"], said) << "a double click answers one notice";
+    std::filesystem::remove(file("one.snapshots.json"));
+    click("failure.again");
+    ASSERT_TRUE(wait([](const json& s) { return s["failure"] == ""; }));
+    EXPECT_NE(red(), slid);
+    press("8");
+    EXPECT_EQ(red(), slid) << "the values of then";
+}
+
 TEST_F(Past, AClosedSceneIsAsItWasWhenItIsOpenedAgain) {
     open("one.glib");
     slide(.75);

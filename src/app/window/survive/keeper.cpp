@@ -62,18 +62,18 @@ void Keeper::tell(ui::Facts& facts, const Document* document) {
     facts.snapshots = snapshots_;
 }
 
-Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
+Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture,
                              ui::Memory& memory) {
     Served served;
     if (requests.save) save(document, memory, served);
     if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
     if (requests.save_as_now) save_as(document, memory, served);
     if (requests.restore_snapshot > 0) restore(requests.restore_snapshot, document, memory);
-    if (requests.store_snapshot > 0) store(requests.store_snapshot, document, memory, served);
+    if (requests.store_snapshot > 0)
+        store(requests.store_snapshot, requests.values.value_or(snapshot_of(document)), memory, served);
     if (requests.copy_command) {
-        const std::string command = render_command(document, picture);
-        window.set_clipboard(command);
-        memory.notice = "copied: " + command;
+        served.copied = render_command(document, picture);
+        memory.notice = "copied: " + served.copied;
     }
     return served;
 }
@@ -105,12 +105,16 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     served.files = std::move(saved.files);
 }
 
-void Keeper::store(int number, const Document& document, ui::Memory& memory, Served& served) {
+void Keeper::store(int number, Setup values, ui::Memory& memory, Served& served) {
     const std::string file = snapshots_file(scene_);
-    const std::string before = content::whole_file(file), error = store_snapshot(number, document);
+    const std::string before = content::whole_file(file), error = store_snapshot(number, scene_, values);
     look_again();
     if (!error.empty()) {
-        memory.failures.add({fmt::format("snapshot {} is not stored: {}", number, error), Remedy::store, {}, number});
+        memory.failures.add({fmt::format("snapshot {} is not stored: {}", number, error),
+                             Remedy::store,
+                             {},
+                             number,
+                             std::move(values)});
         return;
     }
     for (const Remedy mended : {Remedy::store, Remedy::recall, Remedy::absent}) memory.failures.done(mended, number);

@@ -16,9 +16,9 @@
 #include "src/app/open/snapshots.h"
 #include "src/document/document.h"
 #include "src/plan/plan.h"
+#include "src/plan/setup.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/view.h"
-#include "src/platform/window.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
@@ -36,14 +36,14 @@ public:
         std::string what;  // replaced these files, such as "snapshot 3"
         std::vector<SavedFile> files;
         std::string saved_as;  // path of the scene that was saved under another name
+        std::string copied;    // for the clipboard
     };
     // Executes the requests and sets `memory.notice`, or `memory.failures`, to their outcome.
-    Served serve(const ui::Requests& requests, Document& document, const Picture& picture, Window& window,
-                 ui::Memory& memory);
+    Served serve(const ui::Requests& requests, Document& document, const Picture& picture, ui::Memory& memory);
 
 private:
     static void save(const Document& document, ui::Memory& memory, Served& served);
-    void store(int number, const Document& document, ui::Memory& memory, Served& served);
+    void store(int number, Setup values, ui::Memory& memory, Served& served);
 
     std::string scene_;
     std::array<bool, ui::snapshot_count + 1> snapshots_{};
