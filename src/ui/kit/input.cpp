@@ -16,10 +16,9 @@ namespace {
 bool is_press(const Event& event) { return event.kind == Event::Kind::button || event.kind == Event::Kind::key; }
 
 // Two presses are a double click by when they happened, however long the frames between them took. If they may be close
-// together, they are one unless they may also be a second apart; if that is because of a single frame, which tells
-// nothing of it, they are one unless it took far longer: both came during it, or it is that which the first press, seen
-// at once, led to. Dear ImGui, which compares the times of frames, is told to take any or none;
-// how far they are apart it knows.
+// together, they are one unless they may also be a second apart. Where a single frame is why nobody knows, because both
+// came during it, or because the first press led to it, they are one unless that frame took far longer. Dear ImGui
+// compares the times of frames, so it is told to take any press or none; how far apart they are, it knows.
 void count_click(const Event& event) {
     constexpr double longest = .3, apart = 1, far_apart = 3, at_once = .02;  // seconds
     ClickMemory& last = kit().click;
