@@ -19,10 +19,6 @@ using glsl::Node;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-// llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left; the last
-// one may be such an end.
-constexpr double most_rounds = 65536;
-
 constexpr std::string_view go_round_text = "the loops of this shader go round ";
 constexpr std::string_view may_go_round_text = "the loops of this shader may go round ";  // at the end of a slider
 
@@ -76,28 +72,16 @@ void Walker::apart(const std::function<void()>& walk) {
 
 bool Walker::stored(int variable, int node) const {
     bool found = false;
-    each_stored(at(node).begin, node, [&](int other) { found = found || other == variable; });
+    each_stored(u_, at(node).begin, node, [&](int other) { found = found || other == variable; });
     return found;
 }
 
-// What i++, i -= 2, x *= .5, i = 0 and their like do with the variable; nullopt: another thing.
-std::optional<Walker::Update> Walker::update_of(int variable, int node) const {
-    const Node& n = at(node);
-    const std::vector<int> inside = parts(node);
-    if (inside.empty() || at(inside[0]).form != Form::name || at(inside[0]).variable != variable) return std::nullopt;
-    if (n.form == Form::step) return Update{n.text.front(), 1};
-    if (n.form != Form::assign || at(inside[1]).value.size() != 1) return std::nullopt;
-    const char op = n.text.front();
-    if (n.text.size() > 2 || std::string_view("=+-*/").find(op) == std::string_view::npos) return std::nullopt;
-    return Update{op, at(inside[1]).value.front()};
-}
-
 // What each round does with the variable, in order; nullopt: it is not known.
-std::optional<std::vector<Walker::Update>> Walker::updates_of(int variable, const Loop& loop) const {
+std::optional<std::vector<glsl::Update>> Walker::updates_of(int variable, const Loop& loop) const {
     if (unstable_.contains(variable)) return std::nullopt;
     std::vector<Update> updates;
     const auto add = [&](int node, int expression) {
-        const auto update = expression < 0 ? std::nullopt : update_of(variable, expression);
+        const auto update = expression < 0 ? std::nullopt : update_of(u_, variable, expression);
         if (!update && stored(variable, node)) return false;
         if (update) updates.push_back(*update);
         return true;
@@ -111,16 +95,6 @@ std::optional<std::vector<Walker::Update>> Walker::updates_of(int variable, cons
         if (at(k).form == Form::jump && at(k).text == "continue") return std::nullopt;
     if (loop.step >= 0 && !add(loop.step, loop.step)) return std::nullopt;
     return updates;
-}
-
-double updated(double value, char op, double by, glsl::Base base) {
-    value = op == '+' ? value + by : op == '-' ? value - by : op == '*' ? value * by : op == '/' ? value / by : by;
-    if (base == glsl::Base::real) return static_cast<float>(value);
-    if (base == glsl::Base::dreal) return value;
-    if (!(std::abs(value) < 0x1p63)) return value;  // division by zero
-    const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(value));
-    return base == glsl::Base::uinteger ? static_cast<double>(bits)
-                                        : static_cast<double>(static_cast<std::int32_t>(bits));
 }
 
 bool holds(double left, std::string_view op, double right) {
@@ -138,7 +112,7 @@ double Walker::counted_rounds(double value, std::string_view op, double bound, c
     double seen = value, rounds = 0;
     for (double next = 1; holds(value, op, bound) && rounds < very_many; ++rounds) {
         if (rounds == next) seen = value, next *= 2;
-        for (const Update& update : updates) value = updated(value, update.op, update.by, base);
+        for (const Update& update : updates) value = updated(value, update, base);
         if (value == seen) return endless;
     }
     return rounds;
@@ -151,8 +125,6 @@ bool Walker::stays_true(const Loop& loop) {
     const auto updates = updates_of(test.variable, loop);
     return updates && updates->empty() && slot(test.variable).value.range == exactly(1);
 }
-
-bool compares(std::string_view op) { return std::string_view("< <= > >= == !=").find(op) != std::string_view::npos; }
 
 // Whether a bound may be another one in the next round.
 bool Walker::moves(int bound, const Loop& loop) const {
@@ -174,7 +146,7 @@ double Walker::rounds_of(const Loop& loop) {
     if (test.form != Form::infix || at(sides[0]).form != Form::name || at(sides[0]).variable < 0) return 0;
     const int variable = at(sides[0]).variable;
     const std::string_view op = test.text;
-    if (!compares(op)) return 0;
+    if (!glsl::compares(op)) return 0;
     const auto updates = updates_of(variable, loop);
     if (!updates) return 0;
     if (moves(sides[1], loop)) return 0;
@@ -218,12 +190,13 @@ bool may_not_end(const Diagnostics& found) {
 void Walker::go_round(std::optional<double> rounds, int first, int last) {
     if (!rounds || state_.dead || (rounds == endless && (perhaps_ > 0 || state_.returned))) return;
     rounds_ += weight_ * (*rounds + 1);
-    if (rounds_ <= most_rounds || told_rounds_) return;
+    if (rounds_ <= glsl::most_rounds || told_rounds_) return;
     told_rounds_ = true;
     last = std::min(last, static_cast<int>(u_.tokens.size()) - 1);  // the text may end within the header
     report(Rule::many_rounds, first, last,
            std::string(slides_ || perhaps_ > 0 ? may_go_round_text : go_round_text) + rounds_text(rounds_) +
-               ": without a GPU, Mesa's llvmpipe ends them after 65535, and the picture is what they had by then");
+               ": without a GPU, Mesa's llvmpipe ends them after 65535, as pages do, and the picture is what they had "
+               "by then");
 }
 
 }  // namespace snell::lint

@@ -11,33 +11,21 @@ using glsl::Base;
 using glsl::Form;
 using glsl::Node;
 
-// The expression that a variable begins with, by what `for` begins with.
-std::optional<int> Walker::begin_of(int variable, int begins) const {
-    std::optional<int> found;
-    for (int k = begins < 0 ? 0 : at(begins).begin; k <= begins; ++k) {
-        const std::vector<int> inside = parts(k);
-        const bool declared = at(k).form == Form::declarator && at(k).variable == variable && !inside.empty();
-        const bool assigned = at(k).form == Form::assign && at(k).text == "=" && at(inside[0]).form == Form::name &&
-                              at(inside[0]).variable == variable;
-        if (declared || assigned) found = inside.back();
-    }
-    return found;
-}
-
 // How a loop counts, if it does.
 Walker::Counter Walker::counter_of(const Loop& loop, int begins) {
     Counter counter;
     counter.serial = fresh();
     const Node& test = at(loop.condition);
     const std::vector<int> sides = parts(loop.condition);
-    if (test.form != Form::infix || !compares(test.text) || at(sides[0]).form != Form::name) return counter;
+    if (test.form != Form::infix || !glsl::compares(test.text) || at(sides[0]).form != Form::name) return counter;
     const int variable = at(sides[0]).variable;
     auto updates = variable < 0 ? std::nullopt : updates_of(variable, loop);
     if (!updates || moves(sides[1], loop)) return counter;
     counter.variable = variable;
     if (const Range& from = slot(variable).value.range; from == exactly(from.lo)) counter.from = from.lo;
     const auto defined = defined_.find(variable);
-    counter.begin = begin_of(variable, begins).value_or(defined == defined_.end() ? -1 : defined->second.node);
+    counter.begin =
+        glsl::begin_of(u_, variable, begins).value_or(defined == defined_.end() ? -1 : defined->second.node);
     counter.bound = sides[1];
     counter.op = test.text;
     counter.base = at(sides[0]).type.base;
@@ -110,7 +98,7 @@ std::optional<double> Walker::number_at(int node, bool high, int serial) {
     if (casts || (n.form == Form::prefix && n.text == "-")) {
         const auto x = number_at(last, high, serial);
         if (!x) return std::nullopt;
-        return casts ? updated(0, '=', *x, n.type.base) : updated(0, '-', *x, n.type.base);
+        return casts ? updated(0, {'=', *x}, n.type.base) : updated(0, {'-', *x}, n.type.base);
     }
     const bool least = n.form == Form::built_in && n.text == "min", most = n.form == Form::built_in && n.text == "max";
     if (n.form != Form::infix && !least && !most) return std::nullopt;
@@ -121,7 +109,7 @@ std::optional<double> Walker::number_at(int node, bool high, int serial) {
     if (n.text == "%") return *a >= 0 && *b > 0 && !real ? std::optional(std::fmod(*a, *b)) : std::nullopt;
     if (n.text.size() != 1 || std::string_view("+-*/").find(n.text) == std::string_view::npos) return std::nullopt;
     if (n.text == "/" && *b == 0) return std::nullopt;
-    return updated(*a, n.text.front(), *b, n.type.base);
+    return updated(*a, {n.text.front(), *b}, n.type.base);
 }
 
 std::optional<double> Walker::first_of(const Counter& counter, bool high) {
@@ -163,7 +151,7 @@ std::optional<double> Walker::summed(std::size_t level, const Counter& own, cons
         const auto within = summed(level + 1, own, needed, high);
         if (!within || sums_ < 0) return std::nullopt;
         sum += *within;
-        for (const Update& update : counter.updates) value = updated(value, update.op, update.by, counter.base);
+        for (const Update& update : counter.updates) value = updated(value, update, counter.base);
     }
     return sum;
 }

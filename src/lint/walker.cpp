@@ -17,7 +17,7 @@ Walker::Walker(const glsl::Unit& unit, const Surroundings& around, const Varying
     for (const glsl::Type& type : u_.code.variables) state_.slots.emplace_back().value.type = type;
     for (const glsl::Global& g : u_.globals)
         if (g.variable >= 0) slot(g.variable) = {seed(g), g.qualifiers.storage == Storage::constant};
-    each_stored(0, static_cast<int>(u_.tree->size()) - 1, [&](int variable) { stored_.insert(variable); });
+    each_stored(u_, 0, static_cast<int>(u_.tree->size()) - 1, [&](int variable) { stored_.insert(variable); });
     // Initialisers of constants are expressions of constants that stand before them.
     for (const Node& n : *u_.tree) {
         if (n.form != Form::declarator || !slot(n.variable).constant || n.type.dims > 0) continue;
@@ -126,24 +126,8 @@ void Walker::forget(int variable) {
     s.value.type = type;
 }
 
-void Walker::each_stored(int first, int last, const std::function<void(int variable)>& each) const {
-    const auto root = [&](int node) {
-        if (const Node& n = at(at(node).begin); n.form == Form::name && n.variable >= 0) each(n.variable);
-    };
-    for (int k = first; k <= last; ++k) {
-        const Node& n = at(k);
-        if (n.form == Form::assign || n.form == Form::step) root(k);
-        const bool takes_two = n.form == Form::built_in && (n.text == "modf" || n.text == "frexp");
-        if (n.form != Form::call && !takes_two) continue;
-        const std::vector<int> given = parts(k);
-        const auto* f = n.function < 0 ? nullptr : &u_.functions[static_cast<std::size_t>(n.function)];
-        for (std::size_t i = takes_two ? 1 : 0; i < given.size(); ++i)
-            if (!f || i >= f->parameters.size() || f->parameters[i].storage != Storage::in) root(given[i]);
-    }
-}
-
 void Walker::forget_stored(int first, int last) {
-    each_stored(first, last, [&](int variable) { forget(variable); });
+    each_stored(u_, first, last, [&](int variable) { forget(variable); });
 }
 
 void Walker::loop(int node) {

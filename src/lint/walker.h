@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/glsl/read/tree.h"
+#include "src/glsl/read/loops.h"
 #include "src/lint/lint.h"
 #include "src/lint/value.h"
 
@@ -35,10 +35,8 @@ using Varyings = std::map<std::string_view, Value>;
 // Nobody goes round so often to count.
 constexpr double very_many = 1e6;
 
-// A comparison, whether it holds; a value after an assignment with + - * / or =, rounded as the shader does.
-bool compares(std::string_view op);
+// Whether a comparison holds.
 bool holds(double left, std::string_view op, double right);
-double updated(double value, char op, double by, glsl::Base base);
 
 class Walker {
 public:
@@ -88,8 +86,6 @@ private:
     void condition_on(int first, int last, bool counts = false);
     void conditions_end(int node);
     void note_reasons(int variable, int value);
-    // Calls `each` for every variable that the nodes may store something in.
-    void each_stored(int first, int last, const std::function<void(int variable)>& each) const;
 
     // how often loops go round (loops.cpp)
     bool leaves(int node, bool breaks) const;
@@ -97,14 +93,10 @@ private:
     bool calls_discard(int node) const;
     void apart(const std::function<void()>& walk);
     bool stored(int variable, int node) const;
-    struct Update {
-        char op;  // + - * / =
-        double by;
-    };
+    using Update = glsl::Update;
     struct Loop {
         int condition, step, body;  // nodes; step: of `for`; -1: the body steps
     };
-    std::optional<Update> update_of(int variable, int node) const;
     std::optional<std::vector<Update>> updates_of(int variable, const Loop& loop) const;
     static double counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
                                  glsl::Base base);
@@ -134,7 +126,6 @@ private:
     };
     void define(int variable, int node);
     Counter counter_of(const Loop& loop, int begins);
-    std::optional<int> begin_of(int variable, int begins) const;
     std::optional<double> rounds_in(Counter& own, const Loop& loop);
     void add_needed(int node, std::set<int>& needed) const;
     std::optional<double> number_at(int node, bool high, int serial);

@@ -55,6 +55,24 @@ TEST_F(Pictures, InPartsIsTheSameAsAtOnce) {
     }
 }
 
+// OpenGL ES leaves loops that never end as llvmpipe does: after 65,535 rounds.
+TEST_F(Pictures, OfLoopsThatNeverEndAreThoseOfTheRoundsThatAreLeft) {
+    folder.write("l.glib", "Ortho -1 1 -1 1\nFragment l.frag\nProgram P uNever <0. 0. 1.>\nQuadXY 0 1\n");
+    for (const char* loop :
+         {"while (true) { n += 1.; if (uNever > 2.) break; }",
+          "for (int i = 0; i < 9; ) { n += 1.; if (uNever > 2.) break; }", "do ++n; while (n > 0.);"}) {
+        folder.write("l.frag", std::string("uniform float uNever;\nvoid main() { float n = 0.; ") + loop +
+                                   " gl_FragColor = vec4(n / 65536., abs(n - 65535.5) < 1. ? 1. : 0., 0., 1.); }\n");
+        for (const char* context : {"4.5", "es3.0"}) {
+            const Outcome outcome =
+                render(at("l.glib") + " --size 2x2 --no-specialise -o " + at("l.png") + " --context " + context);
+            ASSERT_EQ(outcome.status, 0) << outcome.output;
+            const auto [red, green, blue, alpha] = bytes_at(picture("l.png"), 1, 1);
+            EXPECT_EQ(std::pair(red, green), std::pair(255, 255)) << loop << ' ' << context;
+        }
+    }
+}
+
 TEST_F(Pictures, AreWholeOnBothSidesOfWhatSixteenBitsNumber) {
     std::vector<double> bytes;
     for (const int cells : {254, 255}) {

@@ -361,6 +361,9 @@ EMSCRIPTEN_KEEPALIVE const char* snell_picture(Engine* engine, double time, int 
     return engine->say(std::move(error));
 }
 
+// Milliseconds, of a picture of which the page makes many.
+constexpr double longest_preview = 1000;
+
 // A picture of another scene, as it is written, without a trace in the one that is shown. Returns "" or why there is
 // none; snell_bytes has it.
 EMSCRIPTEN_KEEPALIVE const char* snell_preview(Engine* engine, const char* path, int width, int height) {
@@ -370,7 +373,15 @@ EMSCRIPTEN_KEEPALIVE const char* snell_preview(Engine* engine, const char* path,
     const Diagnostics& found = reading.shown ? scene.document()->diagnostics : reading.refused->diagnostics;
     std::string error;
     if (const Diagnostic* const first = first_error(found)) error = first->message;
-    if (error.empty() && lint::may_not_end(found)) error = "it has loops that may not end";
+    if (error.empty() && scene.document()->runtime->counts_rounds()) {
+        // The first one of two waits for the compiler, too.
+        double began = 0;
+        for (int n = 0; n < 2; ++n) {
+            began = emscripten_get_now();
+            engine->drawing.picture(scene, {0, width / 16, height / 16, 1, 0, 0}, 1, error);
+        }
+        if ((emscripten_get_now() - began) * 16 * 16 > longest_preview) error = "a picture of it takes long";
+    }
     if (error.empty()) engine->bytes = engine->drawing.picture(scene, {0, width, height, 1, 0, 0}, 4, error);
     return engine->say(std::move(error));
 }

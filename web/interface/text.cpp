@@ -66,8 +66,6 @@ Json problems_json(const Diagnostics& diagnostics, const Sources& sources) {
     Json all = Json::array();
     for (Diagnostic d : diagnostics.items()) {
         d.help = without_options(d.help);
-        d.message.resize(
-            std::min(d.message.find(": without a GPU"), d.message.size()));  // of loops: no browser ends them
         Json one{{"severity", name(d.severity)}, {"code", d.code}, {"message", d.message}, {"help", d.help}};
         if (d.has_span) one["at"] = place_json(d.span, sources);
         one["text"] = render(d, sources);
@@ -133,6 +131,7 @@ Json shown_json(const Document& document, Sliders& sliders) {
             {"height", scene.window_size[1]},
             {"animated", animated},
             {"usesMouse", document.runtime->uses_mouse()},
+            {"countsRounds", document.runtime->counts_rounds()},
             {"period", animated && reads_timer(document) ? scene.timer_period : 0},
             {"files", document.files->read_paths()},
             {"counters", counters_json(document.runtime->counters())}};

@@ -64,6 +64,8 @@ export interface Shown {
     // It changes with time; with the mouse.
     animated: boolean;
     usesMouse: boolean;
+    // It has loops that may go on and on; they are left after 65,535 rounds, which can take long.
+    countsRounds: boolean;
     // The period of the scene's own timer, in seconds, where it has one; 0: none.
     period: number;
     // Paths of the files that were read.

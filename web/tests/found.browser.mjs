@@ -49,14 +49,23 @@ test('a picture for which a shader emits much says what it costs', async () => {
     await page.close();
 });
 
-test('shaders that never end are not drawn unless the author wants it, and are after an edit', async () => {
-    const { page } = await opened({ ...scene('e.glib'), ...program('float x = 0.;\nwhile (true) x += uA;\ngl_FragColor = vec4(x);') });
-    await until(page, () => /p\.frag:4: .*for ever/.test(document.querySelector('.cover').textContent));
-    assert.ok(await page.evaluate(() => [...document.querySelectorAll('.cover button')].some((each) => each.textContent === 'Draw it all the same')));
-    await retype(page, 'p.frag', 'void main() { gl_FragColor = vec4(1.); }\n');
-    await drawn(page);
-    await page.close();
-});
+// Loops that nothing ends are left after 65,535 rounds. `takes`: it asks before it draws larger pictures.
+for (const [what, body] of Object.entries({
+    'a loop without an end': 'float x = 0.;\nwhile (true) x += uA;\ngl_FragColor = vec4(x, 1., 0., 1.);',
+    'a loop whose break is never taken': 'float x = 1.;\nwhile (true) { x += uA; if (x < 0.) break; }\ngl_FragColor = vec4(x, 1., 0., 1.);',
+    'a loop whose counter stays': 'float x = 1.;\nfor (int i = 0; i < 10; ) { x += uA; if (x < 0.) break; }\ngl_FragColor = vec4(x, 1., 0., 1.);',
+    'loops within loops': 'float x = 1.;\nfor (int i = 0; i < 2000; ++i) for (int j = 0; j < 2000; ++j) for (int k = 0; k < 2000; ++k) x += uA;\ngl_FragColor = vec4(x, 1., 0., 1.);',
+}))
+    test(`${what} does not stop the page, nor the next edit`, async () => {
+        const { page } = await opened({ ...scene('e.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), ...program(body) });
+        await until(page, () => document.querySelector('dialog[open][aria-label="This scene takes long"]') || /ms/.test(document.querySelector('.status span').textContent));
+        if (await page.$('dialog[open]')) await press(page, 'Keep it small', 'dialog[open]');
+        await retype(page, 'p.frag', 'void main() { gl_FragColor = vec4(1.); }\n');
+        await drawn(page);
+        await retype(page, 'p.frag', `uniform float uA;\nvoid main() {\n${body}\n}\n`);
+        await until(page, () => document.querySelector('dialog[open][aria-label="This scene takes long"]') || /coarser/.test(document.querySelector('.status span').textContent));
+        await page.close();
+    });
 
 test('where a small picture takes seconds, the page asks before it goes on', async () => {
     const body = 'float x = gl_FragCoord.x;\nfor (int i = 0; i < 40000; ++i) x = fract(sin(x + uA) * 43758.5);\ngl_FragColor = vec4(x);';

@@ -13,6 +13,7 @@ void Parser::declarators(const Qualifiers& q, Type type, Group group, bool globa
         declarator(q, type, index, global);
         if (!accept(",")) break;
     }
+    if (!global && is(")")) return;  // the condition of a loop or a branch
     if (!is(";")) {
         give_up();
         if (!global) return skip_to_semicolon();

@@ -1,9 +1,10 @@
 // The steps from parsed stages to translated ones; translate.cpp runs them in the order of this file.
 #pragma once
 
+#include <map>
 #include <optional>
 
-#include "src/glsl/read/token.h"
+#include "src/glsl/read/tree.h"
 
 namespace snell::glsl {
 
@@ -24,6 +25,7 @@ struct Program {
     std::vector<LegacyVarying> legacy_varyings;  // set by replace_legacy where lines are widened
     std::vector<DeclaredUniform> declared = {};
     std::vector<Settled> settled = {};  // those of Options::settle that decide something
+    std::map<Stage, Tree> trees = {};   // of the stages that have loops, where these may have to count
 
     const Target& target() const { return options.target; }
     Unit* find(Stage stage) {
@@ -126,6 +128,10 @@ void give_point_size(Unit& vertex);
 void choose_settled(Program& program);
 // What the settled uniforms decide is written as decided, and the other marks go (read/marks.cpp).
 void resolve_marks(Program& program);
+// What settled uniforms decide is written as this, its value, " : ", the expression, and ")".
+inline constexpr std::string_view decided_text = "(true ? ";
+// Loops that may never end are left after most_rounds; after resolve_marks. False: there are none.
+bool count_rounds(Unit& unit);
 // As Options::constant says; Program::settled has it if every stage does.
 void write_constant(Program& program);
 // The function that marks call, for each type that it takes: snell_divisor or snell_value.

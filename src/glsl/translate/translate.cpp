@@ -35,9 +35,13 @@ void read_units(Program& program, const std::vector<StageInput>& stages) {
                      [](const Unit& a, const Unit& b) { return a.stage < b.stage; });
 }
 
+bool is_loop(const Token& t) { return t.text == "for" || t.text == "while"; }
+
 void parse(Program& program) {
-    for (Unit& u : program.units)
+    for (Unit& u : program.units) {
+        if (program.target().es && ranges::any_of(u.tokens, is_loop)) u.tree = &program.trees[u.stage];
         Parser(u, program.target(), program.diagnostics, program.options.settle != nullptr).run();
+    }
 }
 
 void add_default(Program& program, Stage stage, std::string text, std::string name) {
@@ -175,6 +179,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});
         declare_functions(program, u);
         copy_assigned(program, u);
+        out.counts_rounds = count_rounds(u) || out.counts_rounds;
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);

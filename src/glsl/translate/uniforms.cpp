@@ -193,7 +193,7 @@ void write_marks(Unit& u, const folding::Decided& decided) {
         return mark_call(function, mark);
     };
     const auto function = [&](std::size_t n) -> std::string {
-        if (!decided.text[n].empty()) return "(true ? " + decided.text[n] + " : ";
+        if (!decided.text[n].empty()) return std::string(decided_text) + decided.text[n] + " : ";
         return call(u.marks[n].kind == Mark::Kind::divisor ? "snell_divisor" : "snell_value", n);
     };
     for (Edit& edit : u.edits)

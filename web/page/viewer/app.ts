@@ -91,10 +91,6 @@ export class Page {
     private dead = false;
     // The folder that is opened next was open before a reload: the address has its values.
     private returns = false;
-    // The shaders of the text never end, so that it is not drawn: what says so.
-    private endless: Problem | undefined;
-    // What the author wants to be drawn all the same.
-    private risked = '';
     // The scene is the page's own, not one that was opened in it.
     private own = true;
     // Settings of the other scenes of the folder, as they were left.
@@ -178,7 +174,7 @@ export class Page {
             engine,
             canvas: this.canvas,
             clock: this.clock,
-            ready: () => this.session.shown !== undefined && !this.lost && !this.endless,
+            ready: () => this.session.shown !== undefined && !this.lost,
             drawn: (milliseconds, coarse) => {
                 const { width, height } = this.painter!.frame();
                 this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${coarse ? ', coarser' : ''}`;
@@ -311,23 +307,6 @@ export class Page {
         this.editor?.show(this.current);
     }
 
-    // A text that never ends is drawn only if the author wants that.
-    private guard({ problems }: Opened): boolean {
-        const found = problems.find(({ code, message }) => code === 'many-rounds' && /for ever/.test(message));
-        this.endless = found && found.text !== this.risked ? found : undefined;
-        if (!this.endless) return problems.some(({ code }) => code === 'many-rounds');
-        const where = this.endless.at ? `${this.endless.at.file}:${this.endless.at.line}: ` : '';
-        const risk = () => {
-            this.risked = this.endless?.text ?? '';
-            this.endless = undefined;
-            this.cover();
-            this.painter?.begin(true);
-        };
-        const text = `${where}${this.endless.message}. A picture of it could stop this page.`;
-        this.cover(el('p', { role: 'alert', class: 'failure' }, text), button('Draw it all the same', risk));
-        return true;
-    }
-
     private pointed(x: number, y: number): void {
         if (!this.session.shown?.usesMouse || !this.painter) return;
         const { width, height } = this.painter.frame();
@@ -396,13 +375,12 @@ export class Page {
         session.accept(opened);
         if (!opened.shown) return this.failOpening(opened);
         this.cover();
-        const risky = this.guard(opened);
         const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
         clock.time = time ?? 0;
         clock.playing = opened.shown.animated && time === undefined && !still;
         this.openTime();
         this.divider.set(session.ladders.length > 0 ? split : undefined);
-        this.painter?.begin(risky);
+        this.painter?.begin(opened.shown.countsRounds);
     }
 
     // Time runs for sliders that move by themselves, too.
@@ -495,7 +473,7 @@ export class Page {
         this.session.accept(opened);
         if (!opened.shown) return this.failOpening(opened);
         if (!before || !this.layout.cover.hidden) this.cover();
-        this.guard(opened);
+        this.painter?.edited(opened.shown.countsRounds);
         if (!before || before.animated !== opened.shown.animated) this.clock.playing = opened.shown.animated;
         this.openTime();
         this.refresh();

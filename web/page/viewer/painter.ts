@@ -97,6 +97,12 @@ export class Painter {
         this.request();
     }
 
+    // Its text is another one, which may be as slow as the one before was, or as quick as others.
+    edited(risky: boolean): void {
+        if (risky || this.least > 1) this.begin(risky);
+        else this.request();
+    }
+
     // Whether the graphics have something to do.
     get busy(): boolean {
         return this.began !== undefined;
@@ -161,8 +167,10 @@ export class Painter {
     private slow(milliseconds: number): boolean {
         const { divisor, again } = this;
         this.again = false;
-        if (divisor === smallest && milliseconds < tooLong) this.first = preview;
-        if (milliseconds < tooLong) return false;
+        // The next one has sixteen times as many pixels.
+        const least = divisor === smallest ? (tooLong * preview ** 2) / smallest ** 2 : tooLong;
+        if (divisor === smallest && milliseconds < least) this.first = preview;
+        if (milliseconds < least) return false;
         // The first picture of all waits for the compiler, too: the same one again does not.
         if (!again && milliseconds < longestWait) {
             this.again = true;

@@ -1,0 +1,132 @@
+// Loops that may never end, for browsers, which would stand still with them. Where nothing in the text shows that the
+// loops of a stage are left after few rounds, they count their rounds together, as Mesa's llvmpipe counts those of all
+// loops, and are left as soon as there are most_rounds.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "parser/text/number.h"
+#include "src/glsl/read/loops.h"
+#include "src/glsl/translate/program.h"
+
+namespace snell::glsl {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+class Rounds {
+public:
+    explicit Rounds(Unit& unit) : u_(unit) {}
+
+    bool run() {
+        if (mentions(u_, "snell_Rounds")) return true;  // translated before
+        of_function("main");
+        if (counts_) declare_once(u_, "snell_Rounds", "highp int snell_Rounds = 0;");
+        return counts_;
+    }
+
+private:
+    const Node& at(int node) const { return (*u_.tree)[static_cast<std::size_t>(node)]; }
+    std::vector<int> parts(int node) const { return glsl::parts(*u_.tree, node); }
+
+    // Of its loops that do not count, in one call: of the overload that has most.
+    double of_function(std::string_view name) {
+        const auto [known, added] = functions_.try_emplace(name, 0);
+        if (!added) return known->second;
+        double most = 0;
+        for (const Function& f : u_.functions)
+            if (f.name == name && f.block >= 0) most = std::max(most, of_block(f.block));
+        return functions_[name] = most;
+    }
+
+    double of_block(int block) {
+        const int begin = at(block).begin;
+        std::vector<double> rounds(static_cast<std::size_t>(block - begin + 1));
+        for (int k = begin; k <= block; ++k) {
+            double sum = at(k).form == Form::call ? of_function(at(k).text) : 0;
+            for (const int part : parts(k)) sum += rounds[static_cast<std::size_t>(part - begin)];
+            rounds[static_cast<std::size_t>(k - begin)] = at(k).form == Form::loop ? of_loop(k, sum) : sum;
+        }
+        return rounds.back();
+    }
+
+    double of_loop(int loop, double inside) {
+        const double all = own_rounds(loop) * (1 + inside);
+        if (all < most_rounds) return all;
+        count(loop, static_cast<int>(std::min(1 + inside, static_cast<double>(most_rounds))));
+        return 0;
+    }
+
+    // A number of the text, or what a settled uniform or a word of old versions is written as; NaN: it is not known.
+    double number(int node) const {
+        const Node& n = at(node);
+        if (!n.type.scalar() || n.first < 0) return std::nan("");
+        if (n.value.size() == 1) return n.value.front();
+        const std::string text = render(u_, n.first, n.last);
+        const bool decided = text.starts_with(decided_text);
+        const char* const end = text.data() + text.size();
+        double value = 0;
+        const auto [read, wrong] = read_real(text.data() + (decided ? decided_text.size() : 0), end, value);
+        return wrong == std::errc() && (decided || read == end) ? value : std::nan("");
+    }
+
+    // Of a loop that counts from a number to a number by a number. It may be left earlier.
+    double own_rounds(int loop) const {
+        const std::vector<int> all = parts(loop);
+        if (at(loop).text != "for" || all.size() != 4) return unknown;
+        const Node& test = at(all[1]);
+        if (test.form != Form::infix || !compares(test.text) || test.text.ends_with("==")) return unknown;
+        const std::vector<int> sides = parts(all[1]);
+        const int variable = at(sides[0]).form == Form::name ? at(sides[0]).variable : -1;
+        if (variable < 0 || stored(variable, all[3])) return unknown;
+        const auto begin = begin_of(u_, variable, all[0]);
+        const auto step = update_of(u_, variable, all[2]);
+        if (!begin || !step || (step->op != '+' && step->op != '-')) return unknown;
+        const double from = number(*begin), to = number(sides[1]), by = step->op == '+' ? step->by : -step->by;
+        const bool up = by > 0 && test.text.front() == '<', down = by < 0 && test.text.front() == '>';
+        const double least = at(sides[0]).type.integral() ? 0 : std::max(std::abs(from), std::abs(to)) * 0x1p-22;
+        const bool ends = (up || down) && std::abs(by) > least && std::isfinite(to - from);  // a float moves at all
+        return ends ? std::max(0., (to - from) / by + 1) : unknown;
+    }
+
+    bool stored(int variable, int node) const {
+        bool found = false;
+        each_stored(u_, at(node).begin, node, [&](int other) { found = found || other == variable; });
+        return found;
+    }
+
+    // `weight`: rounds of the loops within that do not count, and its own.
+    void count(int loop, int weight) {
+        const std::vector<int> all = parts(loop);
+        if (all.size() != (at(loop).text == "for" ? 4 : 2)) return;  // not understood
+        counts_ = true;
+        const Node& test = at(all[at(loop).text == "while" ? 0 : 1]);
+        const std::string few =
+            fmt::format("(snell_Rounds = min(snell_Rounds + {}, {})) < {}", weight, most_rounds, most_rounds);
+        if (test.form == Form::empty) {
+            before(test.first, few);
+        } else if (test.form == Form::declaration) {
+            before(at(all[1]).first, "{ if (!(" + few + ")) break; ");
+            u_.edit(at(all[1]).last).after += " }";
+        } else {
+            before(test.first, few + " && (");
+            u_.edit(test.last).after += ")";
+        }
+    }
+
+    // Ahead of what was written there for other reasons.
+    void before(int token, const std::string& text) { u_.edit(token).before.insert(0, text); }
+
+    Unit& u_;
+    bool counts_ = false;
+    std::map<std::string_view, double> functions_;
+};
+
+}  // namespace
+
+bool count_rounds(Unit& unit) { return unit.tree && Rounds(unit).run(); }
+
+}  // namespace snell::glsl

@@ -1,0 +1,88 @@
+// Which loops count their rounds for OpenGL ES, so that no browser stands still.
+#include "tests/translator/translate_help.h"
+
+namespace snell::glsl::test {
+namespace {
+
+struct Loops {
+    const char* body;  // of main
+    // What a counting loop adds in each round; 0: none counts; -1: several do.
+    int counts;
+    const char* before = "";
+};
+
+class Rounds : public testing::TestWithParam<Loops> {};
+
+TEST_P(Rounds, AreCountedWhereNothingShowsThatTheyAreFew) {
+    const auto& [body, counts, before] = GetParam();
+    SCOPED_TRACE(body);
+    const std::string text = "uniform int uN;\nuniform float uX;\n" + std::string(before) +
+                             "void main() { float x = uX; int n = uN; " + body +
+                             " gl_FragColor = vec4(x + float(n)); }\n";
+    for (const Target& target : {es300, es320}) {
+        const Translated t = fragment(text, target);
+        EXPECT_EQ(t.translation.counts_rounds, counts != 0);
+        EXPECT_EQ(t.has(Stage::fragment, "snell_Rounds"), counts != 0);
+        if (counts > 0) {
+            EXPECT_TRUE(t.has(Stage::fragment,
+                              "(snell_Rounds = min(snell_Rounds + " + std::to_string(counts) + ", 65536)) < 65536"))
+                << t.text(Stage::fragment);
+        }
+    }
+    EXPECT_FALSE(fragment(text, core450).translation.counts_rounds);
+    expect_valid({{Stage::fragment, text}}, {es300, es320});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, Rounds,
+    testing::Values(
+        Loops{"for (int i = 0; i < 8; ++i) x += 1.;", 0}, Loops{"for (int i = 8; i >= 0; i -= 2) x += 1.;", 0},
+        Loops{"for (uint i = 0u; i < 8u; i++) { if (x > 3.) continue; x += 1.; if (x > 9.) break; }", 0},
+        Loops{"for (float t = 0.; t < 1.; t += .01) x += t;", 0}, Loops{"int i; for (i = 1; i <= 70; i++) x += 1.;", 0},
+        Loops{"for (int i = 0; i < N; ++i) x += 1.;", 0, "#define N 12\n"},
+        Loops{"for (int i = 0; i < N * 2; ++i) x += 1.;", 0, "const int N = 3 * 4;\n"},
+        Loops{"for (int i = 0; i < 250; ++i) for (int k = 0; k < 250; ++k) x += 1.;", 0},
+        Loops{"for (int i = 0; i < 250; ++i) x = f(x);", 0,
+              "float f(float x) { for (int i = 0; i < 250; ++i) x += 1.; return x; }\n"},
+        // Nothing ends them.
+        Loops{"while (true) x += 1.;", 1}, Loops{"while (true) { x += 1.; if (x < 0.) break; }", 1},
+        Loops{"for (;;) { x += 1.; if (x < 0.) break; }", 1}, Loops{"do x += 1.; while (x > 0.);", 1},
+        Loops{"for (int i = 0; i < 10; ) { x += 1.; if (x < 0.) break; }", 1},
+        Loops{"while (bool b = x < 9.) x += 1.;", 1}, Loops{"while (bool b = x < 9.) { x += 1.; }", 1},
+        Loops{"while (n++ < 9) ;", 1},
+        // The counter is not only counted.
+        Loops{"for (int i = 0; i < 10; ++i) i -= n;", 1},
+        Loops{"for (int i = 0; i < 10; ++i) back(i);", 1, "void back(inout int i) { --i; }\n"},
+        Loops{"for (int i = 0; i < 10; --i) x += 1.;", 1}, Loops{"for (int i = 0; i < 10; i *= 2) x += 1.;", 1},
+        Loops{"for (float t = 1e8; t < 1.00001e8; t += 1.) x += 1.;", 1},
+        // Nobody knows how far it counts, or very far.
+        Loops{"for (int i = 0; i < uN; ++i) x += 1.;", 1}, Loops{"for (int i = n; i < 10; ++i) x += 1.;", 1},
+        Loops{"for (float t = 0.; t < 10.; t += uX) x += t;", 1}, Loops{"for (int i = 0; i < 70000; ++i) x += 1.;", 1},
+        Loops{"for (float t = 0.; t < 10.; t += .0001) x += t;", 1},
+        Loops{"for (int i = 0; i < 300; ++i) for (int k = 0; k < 300; ++k) x += 1.;", 302},
+        Loops{"for (int i = 0; i < 300; ++i) x = f(x);", 302,
+              "float f(float x) { for (int i = 0; i < 300; ++i) x += 1.; return x; }\n"},
+        Loops{"while (x < 1.) for (int k = 0; k < 5; ++k) x += .1;", 7},
+        Loops{"while (x < 1.) while (x < 1.) x += 1.;", -1},
+        // What nobody calls.
+        Loops{"x += 1.;", 0, "float f(float x) { while (true) x += 1.; return x; }\n"}));
+
+// A settled uniform is a number of the text.
+TEST(GlslRounds, ASettledBoundIsKnown) {
+    Options options;
+    options.target = es300;
+    for (const double value : {12., 1e6}) {
+        options.settle = [&](std::span<const DeclaredUniform>) { return std::vector<Settled>{{"uN", {value}}}; };
+        Translated t;
+        translate_texts(t,
+                        {{Stage::fragment,
+                          "uniform int uN;\nvoid main() { float x = 0.; for (int i = 0; i < uN; ++i) x += .1; "
+                          "gl_FragColor = vec4(x); }\n"}},
+                        options);
+        EXPECT_EQ(t.translation.settled.size(), 1u);
+        EXPECT_EQ(t.translation.counts_rounds, value > 1e5) << t.text(Stage::fragment);
+    }
+}
+
+}  // namespace
+}  // namespace snell::glsl::test
