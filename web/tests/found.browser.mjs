@@ -67,6 +67,15 @@ for (const [what, body] of Object.entries({
         await page.close();
     });
 
+test('scenes with such loops have no small picture, and the others have', async () => {
+    const loop = 'while (true) { x += uA; if (x < 0.) break; }';
+    const body = `float x = 1.;\n${loop}\ngl_FragColor = vec4(x);`;
+    const { page } = await opened({ ...scene('z.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), ...program(body), 'fine.glib': 'Sphere 1\n' });
+    await until(page, () => document.querySelector('.thumb canvas') && document.querySelector('.thumb.none'));
+    assert.deepEqual(await page.$$eval('.thumb', (all) => all.map((each) => each.textContent)), ['', 'a picture of it takes long']);
+    await page.close();
+});
+
 test('where a small picture takes seconds, the page asks before it goes on', async () => {
     const body = 'float x = gl_FragCoord.x;\nfor (int i = 0; i < 40000; ++i) x = fract(sin(x + uA) * 43758.5);\ngl_FragColor = vec4(x);';
     const { page } = await opened({ ...scene('h.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), ...program(body) });
