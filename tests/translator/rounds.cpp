@@ -44,6 +44,9 @@ INSTANTIATE_TEST_SUITE_P(
         Loops{"for (int i = 0; i < 250; ++i) for (int k = 0; k < 250; ++k) x += 1.;", 0},
         Loops{"for (int i = 0; i < 250; ++i) x = f(x);", 0,
               "float f(float x) { for (int i = 0; i < 250; ++i) x += 1.; return x; }\n"},
+        Loops{"for (int i = n; i < n + 16; ++i) x += 1.;", 0},
+        Loops{"for (int i = 0; i < 6 && x < 9.; ++i) x += 1.;", 0},
+        Loops{"for (int i = 0; (x < 9. && (i < 6)); ++i) x += 1.;", 0},
         // Nothing ends them.
         Loops{"while (true) x += 1.;", 1}, Loops{"while (true) { x += 1.; if (x < 0.) break; }", 1},
         Loops{"for (;;) { x += 1.; if (x < 0.) break; }", 1}, Loops{"do x += 1.; while (x > 0.);", 1},
@@ -55,6 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
         Loops{"for (int i = 0; i < 10; ++i) back(i);", 1, "void back(inout int i) { --i; }\n"},
         Loops{"for (int i = 0; i < 10; --i) x += 1.;", 1}, Loops{"for (int i = 0; i < 10; i *= 2) x += 1.;", 1},
         Loops{"for (float t = 1e8; t < 1.00001e8; t += 1.) x += 1.;", 1},
+        Loops{"for (int i = n; i < n + 16; ++i) ++n;", 1}, Loops{"for (int i = 0; i < 6 || x < 9.; ++i) x += 1.;", 1},
+        Loops{"for (float t = x; t < x + 16.; ++t) n++;", 1},
         // Nobody knows how far it counts, or very far.
         Loops{"for (int i = 0; i < uN; ++i) x += 1.;", 1}, Loops{"for (int i = n; i < 10; ++i) x += 1.;", 1},
         Loops{"for (float t = 0.; t < 10.; t += uX) x += t;", 1}, Loops{"for (int i = 0; i < 70000; ++i) x += 1.;", 1},

@@ -73,23 +73,39 @@ private:
         return wrong == std::errc() && (decided || read == end) ? value : std::nan("");
     }
 
-    // Of a loop that counts from a number to a number by a number. It may be left earlier.
     double own_rounds(int loop) const {
         const std::vector<int> all = parts(loop);
-        if (at(loop).text != "for" || all.size() != 4) return unknown;
-        const Node& test = at(all[1]);
-        if (test.form != Form::infix || !compares(test.text) || test.text.ends_with("==")) return unknown;
-        const std::vector<int> sides = parts(all[1]);
+        return at(loop).text == "for" && all.size() == 4 ? rounds_while(all[1], all) : unknown;
+    }
+
+    // As long as that holds, of a loop that counts from a number to a number by a number. `all`: parts of the loop.
+    double rounds_while(int condition, const std::vector<int>& all) const {
+        const Node& test = at(condition);
+        const std::vector<int> sides = parts(condition);
+        if (test.form == Form::group) return rounds_while(sides[0], all);
+        if (test.form != Form::infix) return unknown;
+        if (test.text == "&&") return std::min(rounds_while(sides[0], all), rounds_while(sides[1], all));
         const int variable = at(sides[0]).form == Form::name ? at(sides[0]).variable : -1;
         if (variable < 0 || stored(variable, all[3])) return unknown;
         const auto begin = begin_of(u_, variable, all[0]);
         const auto step = update_of(u_, variable, all[2]);
         if (!begin || !step || (step->op != '+' && step->op != '-')) return unknown;
-        const double from = number(*begin), to = number(sides[1]), by = step->op == '+' ? step->by : -step->by;
+        const double by = step->op == '+' ? step->by : -step->by;
+        const auto [from, to] = ends(*begin, sides[1], all[3]);
         const bool up = by > 0 && test.text.front() == '<', down = by < 0 && test.text.front() == '>';
-        const double least = at(sides[0]).type.integral() ? 0 : std::max(std::abs(from), std::abs(to)) * 0x1p-22;
-        const bool ends = (up || down) && std::abs(by) > least && std::isfinite(to - from);  // a float moves at all
-        return ends ? std::max(0., (to - from) / by + 1) : unknown;
+        const bool whole = at(sides[0]).type.integral();  // a float may be so large that it stays
+        const bool moves = whole || std::abs(by) > std::max(std::abs(from), std::abs(to)) * 0x1p-22;
+        return (up || down) && moves && std::isfinite(to - from) ? std::max(0., (to - from) / by + 1) : unknown;
+    }
+
+    // What it counts from and to; of `i = first; i < first + 16`, from 0.
+    std::pair<double, double> ends(int begin, int bound, int body) const {
+        const std::vector<int> sides = parts(bound);
+        const Node& first = at(begin);
+        const bool sum = at(bound).form == Form::infix && at(bound).text == "+" && first.type.integral() &&
+                         first.form == Form::name && at(sides[0]).form == Form::name &&
+                         first.variable == at(sides[0]).variable && !stored(first.variable, body);
+        return sum ? std::pair(0., number(sides[1])) : std::pair(number(begin), number(bound));
     }
 
     bool stored(int variable, int node) const {
