@@ -3,12 +3,14 @@
 // What a gesture does to the view, whether a mouse or a finger makes it, and the transformation that it changes.
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
-
-#include <glm/glm.hpp>
+#include <span>
+#include <vector>
 
 #include "parser/scene.h"
 
@@ -115,5 +117,12 @@ void apply(const ViewGesture& made, const Scene& scene, double shorter, View& vi
 
 // Rounds to a hundredth of a step, so that numbers that are dragged to are short and 0 can be reached again.
 double tidy_step(double value, double step);
+
+struct DepthBox;
+
+// Views that may show what lies in the boxes (eye space), `current` moved: straight away from the eye first, then to
+// the middle of the picture, then smaller, too. In round numbers. Where shaders move what they draw, none of them need
+// show it: they are to be tried. Empty: there is nothing finite in the boxes.
+std::vector<View> views_to_try(std::span<const DepthBox> boxes, const Camera& camera, const View& current);
 
 }  // namespace snell

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "parser/text/ranges.h"
-#include "src/language/find.h"
+#include "src/language/project.h"
 #include "src/plan/locate.h"
 
 namespace snell::server {

@@ -134,8 +134,7 @@ bool LinkedProgram::reads(glsl::System which) const {
 }
 
 std::vector<std::string> LinkedProgram::functions_naming(std::string_view uniform) const {
-    const std::string_view name = uniform.substr(0, uniform.find_first_of(".["));
-    const auto found = ranges::find(declared, name, &glsl::DeclaredUniform::name);
+    const auto found = ranges::find(declared, base_name(uniform), &glsl::DeclaredUniform::name);
     return found == declared.end() ? std::vector<std::string>() : found->functions;
 }
 
