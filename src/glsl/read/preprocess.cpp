@@ -115,7 +115,7 @@ private:
 
     void read(FileId file);
     void token();
-    bool directive(std::size_t start);
+    void directive(std::size_t start);
     void perform(std::string_view name, std::string_view rest, std::size_t start, std::size_t end);
     void conditional(std::string_view name, std::string_view rest, std::size_t start, std::size_t end);
     void define(std::string_view rest);
@@ -263,7 +263,7 @@ bool Preprocessor::invocation(const Lexeme& name) {
         at_ = end;
         return true;
     }
-    unit_.invocations.push_back({source});
+    unit_.invocations.push_back(source);
     for (std::size_t k = 0; k < out.size(); ++k) {
         Token t;
         t.kind = out[k].kind;
@@ -278,7 +278,7 @@ bool Preprocessor::invocation(const Lexeme& name) {
     return true;
 }
 
-bool Preprocessor::directive(std::size_t start) {
+void Preprocessor::directive(std::size_t start) {
     const std::size_t end = directive_end(text_, start);
     std::size_t i = start + 1;
     while (i < end && blank(text_[i])) ++i;
@@ -293,7 +293,6 @@ bool Preprocessor::directive(std::size_t start) {
     } else if (active()) {
         perform(name, rest, start, end);
     }
-    return true;
 }
 
 void Preprocessor::conditional(std::string_view name, std::string_view rest, std::size_t start, std::size_t end) {
