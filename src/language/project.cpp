@@ -9,6 +9,7 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/glsl/read/lexer.h"
 #include "src/lint/lint.h"
 #include "src/plan/locate.h"
 #include "src/plan/texts.h"
@@ -20,26 +21,6 @@ namespace snell::language {
 namespace {
 
 std::string normal(std::string_view path) { return std::filesystem::path(path).lexically_normal().string(); }
-
-// A name behind #include, in any branch or comment.
-struct Include {
-    std::string_view name;
-    bool angle = false;
-};
-
-std::vector<Include> includes_of(std::string_view text) {
-    constexpr std::string_view directive = "include";
-    std::vector<Include> found;
-    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + 1)) {
-        const std::size_t open = text.find_first_not_of(" \t", at + directive.size());
-        if (open == text.npos || (text[open] != '"' && text[open] != '<')) continue;
-        const bool angle = text[open] == '<';
-        const std::size_t end = text.find_first_of(angle ? ">\n\r" : "\"\n\r", open + 1);
-        if (end != text.npos && text[end] == (angle ? '>' : '"'))
-            found.push_back({text.substr(open + 1, end - open - 1), angle});
-    }
-    return found;
-}
 
 // What each program is translated with: in the order of the programs, for an OpenGL that has everything.
 std::vector<glsl::Options> options_of(const Plan& plan, const glsl::IncludeReader& include) {
@@ -191,7 +172,7 @@ private:
             return static_cast<std::size_t>(&shader - project_.shaders.data());
         };
         const std::size_t from = place(shader_of(file));
-        for (const Include& include : includes_of(project_.sources.text(file))) {
+        for (const glsl::IncludeName& include : glsl::included_names(project_.sources.text(file))) {
             auto text = read(name, include.name, include.angle);
             if (!text || text->name.empty()) continue;
             const auto known = project_.firsts.find(text->name);

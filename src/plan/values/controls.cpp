@@ -155,18 +155,12 @@ private:
     }
 
     bool includes_more(std::string_view text) const {
-        for (std::size_t at = text.find("include"); at != text.npos; at = text.find("include", at + 1)) {
-            const std::string_view rest = text.substr(at, text.find('\n', at) - at);
-            const std::size_t open = rest.find_first_of("\"<");
-            const std::string_view name = open == rest.npos ? rest : rest.substr(open + 1);
-            const std::string_view file = name.substr(0, name.find_first_of("\">"));
-            const std::string_view last = file.substr(file.rfind('/') + 1);
-            bool read = open == rest.npos;
-            for (FileId other = 0; other < declared_->sources.size(); ++other)
-                read = read || declared_->sources.name(other).ends_with(last);
-            if (!read) return true;
-        }
-        return false;
+        return ranges::any_of(glsl::included_names(text), [&](const glsl::IncludeName& include) {
+            const std::string_view last = include.name.substr(include.name.rfind('/') + 1);
+            for (FileId file = 0; file < declared_->sources.size(); ++file)
+                if (declared_->sources.name(file).ends_with(last)) return false;
+            return true;
+        });
     }
 
     // If another rung may use what this one does not, the name is reported only if it resembles one that is used but
