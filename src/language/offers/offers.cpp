@@ -6,6 +6,7 @@
 #include "parser/text/words.h"
 #include "src/glsl/glsl.h"
 #include "src/glsl/read/legacy.h"
+#include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
 #include "src/language/services.h"
 #include "src/language/shader/builtins.h"
@@ -39,15 +40,9 @@ void add_vector(const glsl::Type& type, std::vector<MemberOffer>& found) {
 
 // "struct snell_FogParameters { vec4 color; float density; };"
 void add_legacy(std::string_view text, std::vector<MemberOffer>& found) {
-    std::size_t at = text.find('{');
-    while (at != std::string_view::npos && at + 2 < text.size()) {
-        const std::size_t type = text.find_first_not_of(" {;", at);
-        const std::size_t blank = text.find(' ', type), end = text.find(';', type);
-        if (type == std::string_view::npos || end == std::string_view::npos || blank > end || text[type] == '}') return;
-        found.push_back(
-            {std::string(text.substr(blank + 1, end - blank - 1)), std::string(text.substr(type, blank - type))});
-        at = end;
-    }
+    const std::vector<glsl::MacroToken> t = glsl::macro_tokens(text);
+    for (std::size_t i = 3; i + 2 < t.size(); i += 3)
+        found.push_back({std::string(t[i + 1].text), std::string(t[i].text)});
 }
 
 // The name whose member the token `point` selects: behind brackets, before them.
