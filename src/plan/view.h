@@ -38,7 +38,7 @@ struct View {
     Transformation scene;    // multiplied into the projection, so eye coordinates stay as the scene made them
     Transformation eye;      // multiplied into the model-view matrix
     Transformation texture;  // gl_TextureMatrix[0]
-    std::map<unsigned, Transformation> objects;  // by index into Scene::draws, see src/plan/objects.h
+    std::map<unsigned, Transformation> objects;  // by index into Scene::draws
     Projection projection = Projection::scene;
     std::optional<double> background;  // the window's brightness, 0 to 1; nullopt: as the scene says
     bool axes = false;
