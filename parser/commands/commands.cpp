@@ -2,7 +2,6 @@
 // handlers.h.
 #include "parser/commands/commands.h"
 
-#include <array>
 #include <cstdio>
 #include <utility>
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "parser/read/syntax.h"
 #include "parser/text/number.h"
 #include "parser/text/words.h"
 

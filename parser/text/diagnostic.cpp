@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <string>
 
-#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 
 namespace snell {

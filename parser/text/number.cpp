@@ -3,10 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <system_error>
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 #include "src/accuracy/frame_clock.h"
 #include "src/accuracy/metrics.h"
 #include "src/gl/target.h"
-#include "src/plan/knobs.h"
+#include "src/plan/plan.h"
 #include "src/runtime/runtime.h"
 
 namespace snell::accuracy {

@@ -1,6 +1,5 @@
 #include "src/content/workers.h"
 
-#include <algorithm>
 #include <system_error>
 #include <thread>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,7 +13,6 @@
 #include "src/gl/debug.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"
-#include "src/plan/texts.h"
 
 namespace snell {
 

@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <charconv>
 #include <set>
-#include <utility>
 
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
-#include "src/document/document.h"
-#include "src/plan/objects.h"
 #include "src/plan/values/numbers.h"
 
 namespace snell {

@@ -4,7 +4,6 @@
 
 #include "src/gl/driver.h"
 #include "src/gl/program.h"
-#include "src/gl/texture.h"
 
 namespace snell::gl {
 

@@ -1,7 +1,6 @@
 #include "src/gl/texture.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 #include "src/gl/driver.h"
@@ -220,7 +219,7 @@ GLenum target_of(std::string_view sampler) {
 
 void fill(GLenum target, const Format& f) {
     const void* texel = f.texel.data();
-    const std::array<std::array<std::uint8_t, 4>, 6> faces{f.texel, f.texel, f.texel, f.texel, f.texel, f.texel};
+    const std::array<std::array<std::uint8_t, 4>, 6> texels{f.texel, f.texel, f.texel, f.texel, f.texel, f.texel};
     switch (target) {
         case GL_TEXTURE_1D:
             return beyond::image_1d(f.internal, 1, f.external, f.type, texel);
@@ -228,7 +227,7 @@ void fill(GLenum target, const Format& f) {
         case GL_TEXTURE_2D_ARRAY:
             return glTexImage3D(target, 0, f.internal, 1, 1, 1, 0, f.external, f.type, texel);
         case GL_TEXTURE_CUBE_MAP_ARRAY:
-            return glTexImage3D(target, 0, f.internal, 1, 1, 6, 0, f.external, f.type, faces.data());
+            return glTexImage3D(target, 0, f.internal, 1, 1, 6, 0, f.external, f.type, texels.data());
         case GL_TEXTURE_CUBE_MAP:
             for (GLenum face = 0; face < 6; ++face)
                 glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, f.internal, 1, 1, 0, f.external, f.type, texel);

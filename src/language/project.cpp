@@ -2,15 +2,19 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <map>
 #include <set>
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/language/translations.h"
+#include "parser/text/words.h"
+#include "src/glsl/read/lexer.h"
 #include "src/lint/lint.h"
+#include "src/plan/locate.h"
 #include "src/plan/texts.h"
+#include "src/plan/values/controls.h"
+#include "src/plan/values/declared.h"
 
 namespace snell::language {
 
@@ -18,24 +22,63 @@ namespace {
 
 std::string normal(std::string_view path) { return std::filesystem::path(path).lexically_normal().string(); }
 
-// A name behind #include, in any branch or comment.
-struct Include {
-    std::string_view name;
-    bool angle = false;
-};
-
-std::vector<Include> includes_of(std::string_view text) {
-    constexpr std::string_view directive = "include";
-    std::vector<Include> found;
-    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + 1)) {
-        const std::size_t open = text.find_first_not_of(" \t", at + directive.size());
-        if (open == text.npos || (text[open] != '"' && text[open] != '<')) continue;
-        const bool angle = text[open] == '<';
-        const std::size_t end = text.find_first_of(angle ? ">\n\r" : "\"\n\r", open + 1);
-        if (end != text.npos && text[end] == (angle ? '>' : '"'))
-            found.push_back({text.substr(open + 1, end - open - 1), angle});
+// What each program is translated with: in the order of the programs, for an OpenGL that has everything.
+std::vector<glsl::Options> options_of(const Plan& plan, const glsl::IncludeReader& include) {
+    const Scene& scene = plan.scene;
+    std::vector<glsl::Options> all(scene.programs.size());
+    for (Index i = 0; i < all.size(); ++i) {
+        const Program& program = scene.programs[i];
+        all[i].target = {450, false, true};
+        all[i].geometry_input = program.geometry_input;
+        all[i].geometry_output = program.geometry_output;
+        all[i].include = include;
+        all[i].defines = ladder_defines(std::span(scene.ladders).first(program.ladders), plan.rungs);
+        all[i].color_outputs = 0;
     }
-    return found;
+    // As for the first draw of each program.
+    for (const Pass& pass : scene.passes)
+        for (const Item& item : pass.items) {
+            if (item.kind != Item::Kind::draw) continue;
+            const Draw& draw = scene.draws[item.index];
+            if (draw.program == none || all[draw.program].color_outputs > 0) continue;
+            all[draw.program].flat_color = scene.rasters[draw.raster].flat;
+            all[draw.program].color_outputs =
+                pass.kind == Pass::Kind::textures ? std::clamp(static_cast<int>(pass.textures.size()), 1, 8) : 1;
+        }
+    for (glsl::Options& options : all) options.color_outputs = std::max(options.color_outputs, 1);
+    return all;
+}
+
+glsl::Translation translate_program(Project& project, Index program, const glsl::Options& options) {
+    const PlannedProgram& planned = project.plan.programs[program];
+    if (!planned.readable || planned.stages.empty()) return {};
+    return glsl::translate(planned.stages, project.sources, options, project.diagnostics);
+}
+
+// A member of a structure or of an array, whose type is not known here.
+bool is_part(const UniformValue& value, const std::vector<glsl::DeclaredUniform>& declared) {
+    return ranges::any_of(declared,
+                          [&](const glsl::DeclaredUniform& d) { return d.name == base_name(value.name) && !d.simple; });
+}
+
+// Reports values of Program lines that do not fit the uniforms that the shaders declare.
+void report_values(Project& project) {
+    if (project.alone) return;
+    Scene scene;  // what make_controls reads of it
+    scene.programs = project.plan.scene.programs;
+    std::vector<std::vector<ActiveUniform>> uniforms(scene.programs.size());
+    for (Index i = 0; i < scene.programs.size(); ++i) {
+        Program& program = scene.programs[i];
+        const glsl::Translation& translation = project.translations[i];
+        if (!translation.ok) {
+            program.uniforms.clear();  // the shaders' errors come first
+            continue;
+        }
+        for (const glsl::DeclaredUniform& declared : translation.declared)
+            uniforms[i].push_back(described(program, declared));
+        std::erase_if(program.uniforms, [&](const UniformValue& v) { return is_part(v, translation.declared); });
+    }
+    make_controls(scene, uniforms, project.diagnostics);
 }
 
 class Reader {
@@ -92,7 +135,7 @@ public:
         for (Index program = 0; program < project_.plan.programs.size(); ++program)
             project_.translations.push_back(translate_program(project_, program, options[program]));
         report_values(project_);
-        report_lints();
+        project_.diagnostics.append(lint::check(project_.plan, project_.sources, shader_includes(*project_.files)));
     }
 
 private:
@@ -129,7 +172,7 @@ private:
             return static_cast<std::size_t>(&shader - project_.shaders.data());
         };
         const std::size_t from = place(shader_of(file));
-        for (const Include& include : includes_of(project_.sources.text(file))) {
+        for (const glsl::IncludeName& include : glsl::included_names(project_.sources.text(file))) {
             auto text = read(name, include.name, include.angle);
             if (!text || text->name.empty()) continue;
             const auto known = project_.firsts.find(text->name);
@@ -150,10 +193,6 @@ private:
                 added += add(project_.shaders[to].uses, use) ? 1 : 0;
         }
         return added;
-    }
-
-    void report_lints() {
-        project_.diagnostics.append(lint::check(project_.plan, project_.sources, shader_includes(*project_.files)));
     }
 
     Project& project_;
@@ -230,6 +269,94 @@ Project read_shader(const std::string& shader_path, const Access& access, Depth 
     project.diagnostics = without_others(project.diagnostics);
     project.diagnostics.sort();
     return project;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int levels_above = 3;
+constexpr std::size_t most_entries = 10'000;     // of a folder that are looked at
+constexpr std::size_t most_scenes = 4'000;       // whose texts are searched for the shader's name
+constexpr std::size_t most_others = 100;         // that are read because what they include may name it
+constexpr std::uintmax_t most_bytes = 1u << 20;  // of a scene
+
+// The scenes of a folder, sorted; its folders are added to `below`.
+std::vector<std::string> scenes_in(const fs::path& folder, std::vector<fs::path>* below) {
+    std::vector<std::string> scenes;
+    std::error_code error;
+    std::size_t seen = 0;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end && seen < most_entries;
+         it.increment(error), ++seen) {
+        std::error_code none;
+        if (has_extension(it->path().native(), "glib") && it->is_regular_file(none) &&
+            it->file_size(none) <= most_bytes)
+            scenes.push_back(it->path().string());
+        if (below && it->is_directory(none)) below->push_back(it->path());
+    }
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
+std::vector<std::string> scenes_around(const fs::path& shader) {
+    std::vector<std::string> scenes;
+    const auto add = [&](const std::vector<std::string>& more) {
+        scenes.insert(scenes.end(), more.begin(), more.end());
+    };
+    std::vector<fs::path> below;
+    fs::path folder = shader.parent_path();
+    for (int level = 0; level <= levels_above && scenes.size() < most_scenes; ++level) {
+        add(scenes_in(folder, level == 0 ? &below : nullptr));
+        if (folder == folder.parent_path()) break;
+        folder = folder.parent_path();
+    }
+    std::sort(below.begin(), below.end());
+    for (const fs::path& one : below)
+        if (scenes.size() < most_scenes) add(scenes_in(one, nullptr));
+    if (scenes.size() > most_scenes) scenes.resize(most_scenes);
+    return scenes;
+}
+
+bool names(const std::string& scene, const std::string& stem) {
+    Files files("");
+    std::string error;
+    const auto text = files.read(scene, error);
+    return text && contains(*text, stem);
+}
+
+bool belongs(const std::string& scene, const std::string& shader) {
+    return read_project(scene, {}, Depth::plan).file_of(shader).has_value();
+}
+
+}  // namespace
+
+std::string find_scene(const std::string& shader_path) {
+    const std::string stem = fs::path(shader_path).stem().string();
+    std::vector<std::string> others;
+    for (const std::string& scene : scenes_around(shader_path)) {
+        if (names(scene, stem)) {
+            if (belongs(scene, shader_path)) return scene;
+        } else if (others.size() < most_others) {
+            others.push_back(scene);
+        }
+    }
+    for (const std::string& scene : others)
+        if (belongs(scene, shader_path)) return scene;
+    return {};
+}
+
+std::optional<Stage> stage_of(std::string_view path, std::string_view text) {
+    for (int i = 0; i < stage_count; ++i) {
+        const auto stage = static_cast<Stage>(i);
+        for (const std::string_view extension : stage_extensions(stage))
+            if (extension != "glsl" && has_extension(path, extension)) return stage;
+    }
+    const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
+    if (!has("main")) return std::nullopt;
+    if (has("EmitVertex")) return Stage::geometry;
+    if (has("gl_TessLevelOuter")) return Stage::tess_control;
+    if (has("gl_TessCoord")) return Stage::tess_evaluation;
+    return has("gl_Position") || has("ftransform") ? Stage::vertex : Stage::fragment;
 }
 
 }  // namespace snell::language

@@ -74,4 +74,9 @@ Project read_shader(const std::string& shader_path, const Access& access, Depth 
 // The stage that a shader's name, or else its text, tells; nullopt: neither does (what others include).
 std::optional<Stage> stage_of(std::string_view path, std::string_view text);
 
+// A scene that names the shader, or a text that includes it: in the shader's folder, the ones above, and the ones
+// below, all as they are on disk. Returns "" if there is none among the first hundred. Scenes whose text names the
+// shader are preferred.
+std::string find_scene(const std::string& shader_path);
+
 }  // namespace snell::language

@@ -314,7 +314,8 @@ Resolved Files::resolve_beside(std::string_view from, std::string_view name,
     // Only the last component led there.
     const std::string written = tidy(name);
     if (found.inexact && found.path == from && last_component(written) != written) {
-        const bool there = fs::exists(is_absolute(written) ? written : join(folder, written));
+        std::error_code unknown;
+        const bool there = fs::exists(is_absolute(written) ? written : join(folder, written), unknown);
         return {{}, false, {}, there ? outside_reason : ""};
     }
     if (found.path.empty() && found.refused.empty()) found.refused = beside.refused;

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "parser/read/parse.h"
-#include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "parser/text_of.h"

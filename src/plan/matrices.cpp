@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "src/plan/plan.h"
 
 namespace snell {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 bool usable(double value) { return std::isfinite(value) && value > 0; }
 

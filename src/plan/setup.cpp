@@ -27,19 +27,16 @@ std::optional<std::string_view> name_in(std::string_view key, std::string_view o
     return key.substr(option.size());
 }
 
-struct Place {
-    Setup& setup;
-    const std::string& name;
+void note(Setup& setup, const std::string& name, const Control& control) {
+    setup[key(set_option, name)] = numbers_text(control.value);
+    if (control.widget == Widget::slider) setup[key(range_option, name)] = numbers_text({control.min, control.max});
+}
 
-    void note(const Control& control, const std::vector<double>& value, double min, double max) const {
-        setup[key(set_option, name)] = numbers_text(value);
-        if (control.widget == Widget::slider) setup[key(range_option, name)] = numbers_text({min, max});
-    }
-    void note(const Control& control) const { note(control, control.value, control.min, control.max); }
-    void note_written(const Control& control) const {
-        note(control, control.initial, control.initial_min, control.initial_max);
-    }
-};
+// As the scene's text says it.
+Control written(Control control) {
+    reset(control);
+    return control;
+}
 
 void note_rungs(const Scene& scene, const Rungs& rungs, Setup& setup) {
     for (std::size_t i = 0; i < scene.ladders.size() && i < rungs.size(); ++i)
@@ -122,18 +119,15 @@ Setup setup_of(const Scene& scene, const Controls& controls) {
     Setup setup;
     const std::vector<std::string> names = control_names(scene, controls);
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (controls.items[i].type != ValueType::sampler) Place{setup, names[i]}.note(controls.items[i]);
+        if (controls.items[i].type != ValueType::sampler) note(setup, names[i], controls.items[i]);
     note_rungs(scene, controls.rungs, setup);
     return setup;
 }
 
-Setup written_setup(const Scene& scene, const Controls& controls) {
-    Setup setup;
-    const std::vector<std::string> names = control_names(scene, controls);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (controls.items[i].type != ValueType::sampler) Place{setup, names[i]}.note_written(controls.items[i]);
-    note_rungs(scene, marked_rungs(scene), setup);
-    return setup;
+Setup written_setup(const Scene& scene, Controls controls) {
+    for (Control& control : controls.items) reset(control);
+    controls.rungs = marked_rungs(scene);
+    return setup_of(scene, controls);
 }
 
 Setup changed_setup(const Scene& scene, const Controls& controls) {
@@ -238,8 +232,8 @@ void remember(const Scene& scene, const Controls& controls, Remembered& memory, 
         const std::string set = key(set_option, names[i]);
         const auto noted = memory.written.find(set);
         if (control.type != ValueType::sampler && (all || control.value != control.initial)) {
-            Place{memory.chosen, names[i]}.note(control);
-            Place{memory.written, names[i]}.note_written(control);
+            note(memory.chosen, names[i], control);
+            note(memory.written, names[i], written(control));
         } else if (noted != memory.written.end() &&
                    (control.listed || noted->second == numbers_text(control.initial))) {
             for (Setup* setup : {&memory.chosen, &memory.written})

@@ -28,7 +28,7 @@ std::vector<double> read_numbers(std::string_view text);
 
 // All values, ranges and rungs, or as the scene's text says them.
 Setup setup_of(const Scene& scene, const Controls& controls);
-Setup written_setup(const Scene& scene, const Controls& controls);
+Setup written_setup(const Scene& scene, Controls controls);
 // What differs from the scene's text.
 Setup changed_setup(const Scene& scene, const Controls& controls);
 // Of the mouse there is nothing.

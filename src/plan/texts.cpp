@@ -6,6 +6,7 @@
 
 #include "parser/read/parse.h"
 #include "shaders/embedded.h"
+#include "src/glsl/read/lexer.h"
 #include "src/plan/identity.h"
 #include "src/plan/locate.h"
 
@@ -23,19 +24,6 @@ IncludeReader scene_includes(Files& files) {
         return IncludedText{
             resolved.path, std::move(*text), {}, resolved.inexact ? written_name(resolved.path, from, files) : ""};
     };
-}
-
-// The names in quotes on the lines with an `include`, once each. Lines that are no directives do no harm.
-std::set<std::string_view> included_names(std::string_view text) {
-    constexpr std::string_view directive = "include";
-    std::set<std::string_view> names;
-    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + directive.size())) {
-        const std::size_t quote = text.find_first_of("\"\n", at);
-        if (quote == text.npos || text[quote] != '"') continue;
-        const std::size_t end = text.find_first_of("\"\n", quote + 1);
-        if (end != text.npos && text[end] == '"') names.insert(text.substr(quote + 1, end - quote - 1));
-    }
-    return names;
 }
 
 std::set<std::string> included_files(const Plan& plan, const Sources& sources, const Files& files) {
@@ -96,8 +84,8 @@ std::vector<ShaderText> shader_texts(const PlannedProgram& program, const Source
     std::set<std::string> found;
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const auto [from, text] = texts[i];
-        for (const std::string_view name : included_names(text)) {
-            const std::string path = reader.resolve_beside(from, name, {"glsl"}).path;
+        for (const auto& [name, angle] : glsl::included_names(text)) {
+            const std::string path = angle ? "" : reader.resolve_beside(from, name, {"glsl"}).path;
             if (path.empty()) continue;
             if (!found.insert(std::filesystem::path(path).lexically_normal().string()).second) continue;
             std::string error;

@@ -16,8 +16,6 @@
 
 namespace snell {
 
-// The texts of a scene: its own, with the scenes that it includes, and what its shaders include.
-
 // The result of parsing alone, for those that need no graphics.
 struct ParsedDocument {
     FileId file = 0;

@@ -1,13 +1,14 @@
 #include "src/plan/view.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "src/plan/objects.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "parser/text/ranges.h"
+#include "src/plan/identity.h"
 #include "src/plan/plan.h"
 
 namespace snell {
@@ -23,7 +24,7 @@ SinCos sin_cos(double degrees) {
     if (!std::isfinite(degrees)) return {0, 1};
     const double reduced = std::remainder(degrees, 360.);
     const double quarter = std::nearbyint(reduced / 90.);
-    const double rest = (reduced - 90. * quarter) * (3.14159265358979323846 / 180.);
+    const double rest = (reduced - 90. * quarter) * (std::numbers::pi / 180.);
     const double s = std::sin(rest), c = std::cos(rest);
     const std::array<SinCos, 4> turned{{{s, c}, {c, -s}, {-s, -c}, {-c, s}}};
     return turned[static_cast<std::size_t>(quarter + 4) % 4];
@@ -228,6 +229,123 @@ double tidy_step(double value, double step) {
     const double scale = std::pow(10, -std::floor(std::log10(step / 100)));
     const double result = std::round(value * scale) / scale;
     return std::isfinite(result) ? result : value;
+}
+
+namespace {
+
+// The corners' box.
+struct Extent {
+    glm::dvec3 min{HUGE_VAL}, max{-HUGE_VAL};
+    glm::dvec3 middle() const { return (min + max) * .5; }
+    double radius() const { return glm::length(max - min) / 2; }
+};
+
+Extent extent_of(std::span<const DepthBox> boxes) {
+    Extent extent;
+    for (const DepthBox& box : boxes)
+        for (const glm::dvec3& p : box.corners()) {
+            if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) continue;
+            extent.min = glm::min(extent.min, p);
+            extent.max = glm::max(extent.max, p);
+        }
+    return extent;
+}
+
+// To two digits, away from zero: what a person would write.
+double rounded(double value) {
+    if (value == 0 || !std::isfinite(value)) return 0;
+    const double step = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
+    const double whole = std::ceil(std::abs(value) / step - 1e-9) * step;
+    // 0.30000000000000004 is .3
+    const double clean = std::round(whole * 1e9) / 1e9;
+    return std::copysign(clean > 0 ? clean : whole, value);
+}
+
+}  // namespace
+
+std::vector<View> views_to_try(std::span<const DepthBox> boxes, const Camera& camera, const View& current) {
+    const Extent extent = extent_of(boxes);
+    const double radius = std::max(extent.radius(), 1e-6);
+    if (!std::isfinite(radius)) return {};
+    const glm::dvec3 middle = extent.middle();
+    const bool sound = camera.fov > 0 && camera.fov < 180;
+    const double half = (sound ? camera.fov : Camera{}.fov) / 2 * (std::numbers::pi / 180);
+    // So far that all of it is in the picture; beyond the near plane, at .1.
+    const double distance =
+        camera.perspective ? std::max(radius / std::sin(std::min(half, 1.4)), radius + .2) : radius + 1;
+    const double away = -distance - middle.z;
+
+    std::vector<View> views;
+    View straight = current;
+    straight.scene.z = rounded(current.scene.z + away);
+    views.push_back(straight);
+    View centred = straight;
+    centred.scene.x = rounded(current.scene.x - middle.x);
+    centred.scene.y = rounded(current.scene.y - middle.y);
+    views.push_back(centred);
+    // Larger than what lies before the far plane, at 1000, or than the box of an orthographic camera.
+    const auto& [left, right, bottom, top] = camera.ortho;
+    const double room = camera.perspective ? 900 : std::min(std::abs(right - left), std::abs(top - bottom)) / 2;
+    const double size = camera.perspective ? distance + radius : radius;
+    if (size > room && room > 0) {
+        View smaller = current;
+        smaller.scene.scale = current.scene.scale * rounded(room / size);
+        smaller.scene.z = rounded(current.scene.z - std::min(distance, 400.));
+        views.push_back(smaller);
+    }
+    return views;
+}
+
+glm::dmat4 placed(const Transformation& object, const Camera& camera, const glm::dmat4& model) {
+    if (object == Transformation{}) return model;
+    const glm::dmat4 view = view_matrix(camera);
+    const glm::dvec3 origin(view * model[3]);
+    const glm::dmat4 in_eye = glm::translate(glm::dmat4(1), origin) * object.matrix(vertical_of(camera, view)) *
+                              glm::translate(glm::dmat4(1), -origin);
+    return glm::inverse(view) * in_eye * view * model;
+}
+
+std::vector<std::string> object_names(const Scene& scene) {
+    std::map<std::string, int> before;
+    std::vector<std::string> names;
+    for (const Draw& draw : scene.draws) {
+        std::string name = shape_key(scene, draw.shape, draw.wire);
+        name += '#' + std::to_string(before[name]++);
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+bool flat_picture(const Scene& scene) {
+    const Draw* first = nullptr;
+    const auto matrix = [&](const Draw& draw) { return draw.matrix == none ? Mat4{} : scene.matrices[draw.matrix]; };
+    for (const Pass& pass : scene.passes) {
+        if (pass.kind != Pass::Kind::window) continue;
+        for (const Item& item : pass.items) {
+            if (item.kind != Item::Kind::draw) continue;
+            const Draw& draw = scene.draws[item.index];
+            const Quad* quad = std::get_if<Quad>(&draw.shape);
+            if (!quad || quad->n1 != 1 || quad->n2 != 1) return false;
+            if (!first) first = &draw;
+            const Quad& other = std::get<Quad>(first->shape);
+            if (quad->plane != other.plane || quad->offset != other.offset || draw.camera != first->camera)
+                return false;
+            if (draw.matrix != first->matrix && matrix(draw) != matrix(*first)) return false;
+        }
+    }
+    return first != nullptr;
+}
+
+Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object) {
+    if (object >= from.size()) return none;
+    if (from.size() == to.size()) return object;
+    const auto same = ranges::find(to, from[object]);
+    return same == to.end() ? none : static_cast<Index>(same - to.begin());
+}
+
+void carry_objects(const std::vector<std::string>& from, const std::vector<std::string>& to, View& view) {
+    for (const auto& [draw, transformation] : std::exchange(view.objects, {}))
+        if (const Index found = carried(from, to, draw); found != none) view.objects[found] = transformation;
 }
 
 }  // namespace snell

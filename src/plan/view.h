@@ -3,12 +3,15 @@
 // What a gesture does to the view, whether a mouse or a finger makes it, and the transformation that it changes.
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
-
-#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "parser/scene.h"
 
@@ -35,7 +38,7 @@ struct View {
     Transformation scene;    // multiplied into the projection, so eye coordinates stay as the scene made them
     Transformation eye;      // multiplied into the model-view matrix
     Transformation texture;  // gl_TextureMatrix[0]
-    std::map<unsigned, Transformation> objects;  // by index into Scene::draws, see src/plan/objects.h
+    std::map<unsigned, Transformation> objects;  // by index into Scene::draws
     Projection projection = Projection::scene;
     std::optional<double> background;  // the window's brightness, 0 to 1; nullopt: as the scene says
     bool axes = false;
@@ -115,5 +118,32 @@ void apply(const ViewGesture& made, const Scene& scene, double shorter, View& vi
 
 // Rounds to a hundredth of a step, so that numbers that are dragged to are short and 0 can be reached again.
 double tidy_step(double value, double step);
+
+struct DepthBox;
+
+// Views that may show what lies in the boxes (eye space), `current` moved: straight away from the eye first, then to
+// the middle of the picture, then smaller, too. In round numbers. Where shaders move what they draw, none of them need
+// show it: they are to be tried. Empty: there is nothing finite in the boxes.
+std::vector<View> views_to_try(std::span<const DepthBox> boxes, const Camera& camera, const View& current);
+
+// Objects that the user moves: draws of the scene, identified by their statements.
+
+// World from model with the user's transformation of the object: about the object's own origin, along the axes of the
+// scene's camera, in world units.
+glm::dmat4 placed(const Transformation& object, const Camera& camera, const glm::dmat4& model);
+
+// One name for each of Scene::draws: what it draws, and how many draws before it draw the same.
+std::vector<std::string> object_names(const Scene& scene);
+
+// True if all that the window shows is one plane of undivided quads, such as a picture that fills it: axes through its
+// middle would only hide it.
+bool flat_picture(const Scene& scene);
+
+// Finds an object again after the scene was read again: by its index if there are as many draws as before (a parameter
+// was edited), otherwise by its name. Returns none if the object is gone.
+Index carried(const std::vector<std::string>& from, const std::vector<std::string>& to, Index object);
+
+// Moves the transformations of objects to their new indices; those of objects that are gone are removed.
+void carry_objects(const std::vector<std::string>& from, const std::vector<std::string>& to, View& view);
 
 }  // namespace snell

@@ -64,7 +64,7 @@ Runtime::Impl::Impl(Plan p, Files& f, Sources& s, const gl::Caps& c, Diagnostics
 
 // Prepares the chosen rungs. Resources of earlier calls are used again.
 void Runtime::Impl::prepare(Diagnostics& diagnostics) {
-    Loading loading{*files, *sources, diagnostics, {}};
+    Loading loading{diagnostics, {}};
     Declared declared{*sources};
     link_programs(loading, declared);
     value_problems = Diagnostics(files->limits());
@@ -76,7 +76,7 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     passes.resize(plan.scene.passes.size());
     find_live_passes(loading);
     ready_passes(loading);
-    if (!savings) load_all(loading);
+    if (!savings) load_all();
     note_dormant();
     textures.finish();
     loaded_meshes.clear();
@@ -86,7 +86,7 @@ void Runtime::Impl::prepare(Diagnostics& diagnostics) {
     counters.bytes_read = files->counters().bytes;
 }
 
-std::shared_ptr<LinkedProgram> Runtime::Impl::compile(Index program, const runtime::Variant& variant, Loading& loading,
+std::shared_ptr<LinkedProgram> Runtime::Impl::compile(Index program, const runtime::Variant& variant,
                                                       Diagnostics& diagnostics) {
     runtime::Store* from = savings ? store.get() : nullptr;
     if (program == none || (plan.programs[program].readable && plan.programs[program].stages.empty()))
@@ -96,8 +96,8 @@ std::shared_ptr<LinkedProgram> Runtime::Impl::compile(Index program, const runti
         ranges::any_of(programs, [&](const auto& other) { return other.first.first == program && other.second; });
     const std::uint64_t compiled = counters.programs_compiled;
     auto linked = runtime::link_program(
-        {plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders, variant, caps, loading.files,
-         loading.sources, from, counters, variant.settled ? settler(program) : glsl::Settler()},
+        {plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders, variant, caps, *files,
+         *sources, from, counters, variant.settled ? settler(program) : glsl::Settler()},
         diagnostics);
     const std::uint64_t fresh = counters.programs_compiled - compiled;
     if (another) counters.variants += fresh;
@@ -112,7 +112,7 @@ std::shared_ptr<LinkedProgram>& Runtime::Impl::made(Index program, const runtime
     const auto [slot, fresh] = programs.try_emplace({program, variant});
     if (!fresh) return slot->second;
     Diagnostics& problems_of = program_problems[slot->first];
-    slot->second = compile(program, variant, loading, problems_of);
+    slot->second = compile(program, variant, problems_of);
     if (variant.settled == 0 || (slot->second && !slot->second->settled.empty())) return slot->second;
     // There is nothing to settle, or a driver refuses constants where it takes uniforms, as for an index that is too
     // large: the program for any values is used, and says what is wrong.
@@ -268,7 +268,7 @@ void Runtime::Impl::ready_passes(Loading& loading) {
 }
 
 // Loads everything that is declared, whether it is read or not.
-void Runtime::Impl::load_all(Loading& loading) {
+void Runtime::Impl::load_all() {
     Diagnostics unheard;  // the user does not see these resources
     textures.resume(unheard);
     for (Index texture = 0; texture < plan.scene.textures.size(); ++texture) textures.realise(texture);
@@ -279,8 +279,8 @@ void Runtime::Impl::load_all(Loading& loading) {
     for (const auto& pass : passes)
         for (const auto& ready : pass.items)
             if (ready)
-                make_tree(*trees[ready->mesh], load_mesh(plan, ready->mesh, loading.files, heard_before), all,
-                          ready->draw, unheard);
+                make_tree(*trees[ready->mesh], load_mesh(plan, ready->mesh, *files, heard_before), all, ready->draw,
+                          unheard);
 }
 
 void Runtime::Impl::ready_target(Index pass, Diagnostics& diagnostics) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "parser/scene.h"
@@ -81,5 +82,7 @@ struct Explanation {
 };
 
 std::string_view name(Explanation::Kind kind);
+// The statement of a texture with its first file.
+std::string title_of(const Texture& texture);
 
 }  // namespace snell

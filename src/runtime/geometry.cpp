@@ -37,12 +37,12 @@ std::array<std::vector<content::Float4>, tree_parts> texels(content::Tree tree, 
 void Runtime::Impl::ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading) {
     auto& slot = meshes[mesh];
     if (slot) return;
-    const Identity identity = savings ? mesh_identity(plan, mesh, loading.files) : Identity{};
+    const Identity identity = savings ? mesh_identity(plan, mesh, *files) : Identity{};
     const std::vector<Span> places = mesh_places(plan, mesh);
     slot = store->meshes.take(identity.key, places, loading.diagnostics);
     trees[mesh] = store->trees.take(identity.key, {}, loading.diagnostics);
     if (slot) {
-        for (const std::string& path : identity.files) loading.files.keep(path);
+        for (const std::string& path : identity.files) files->keep(path);
     } else {
         const std::size_t said_before = loading.diagnostics.items().size();
         LoadedMesh read = take_mesh(mesh, loading);
@@ -72,7 +72,7 @@ void Runtime::Impl::ready_stages(runtime::ReadyDraw& ready, const content::Mesh*
     runtime::GpuMesh& gpu = *meshes[ready.mesh];
     if (gpu.stages) return;
     Diagnostics unheard;
-    const content::Mesh again = mesh ? content::Mesh{} : load_mesh(plan, ready.mesh, loading.files, unheard);
+    const content::Mesh again = mesh ? content::Mesh{} : load_mesh(plan, ready.mesh, *files, unheard);
     gpu.stages = runtime::stage_mesh(mesh ? *mesh : again, caps.max_texture);
     if (!gpu.stages) {
         loading.diagnostics.error("mesh-too-large", plan.scene.draws[ready.draw].span,
@@ -105,7 +105,7 @@ void Runtime::Impl::bind_tree(runtime::ReadyDraw& ready, const content::Mesh* me
     for (std::size_t i = 0; i < read.size(); ++i) missing = missing || (read[i] && !tree.parts[i]);
     if (missing) {
         Diagnostics unheard;
-        const content::Mesh again = mesh ? content::Mesh{} : load_mesh(plan, ready.mesh, loading.files, unheard);
+        const content::Mesh again = mesh ? content::Mesh{} : load_mesh(plan, ready.mesh, *files, unheard);
         make_tree(tree, mesh ? *mesh : again, read, ready.draw, loading.diagnostics);
     }
     for (const runtime::SamplerUniform& sampler : ready.program->samplers)
@@ -170,12 +170,12 @@ void Runtime::Impl::preload(Loading& loading) {
         }
     std::vector<runtime::Job> jobs;
     textures.preload(wanted, noise, jobs);
-    preload_meshes(loading, jobs);
+    preload_meshes(jobs);
     runtime::run(jobs, progress);
 }
 
 // Only meshes from files are preloaded: making a shape takes less time than starting a job.
-void Runtime::Impl::preload_meshes(Loading& loading, std::vector<runtime::Job>& jobs) {
+void Runtime::Impl::preload_meshes(std::vector<runtime::Job>& jobs) {
     std::set<Index> wanted;
     for (Index pass = 0; pass < passes.size(); ++pass)
         for (const Item& item : plan.scene.passes[pass].items)
@@ -183,12 +183,11 @@ void Runtime::Impl::preload_meshes(Loading& loading, std::vector<runtime::Job>& 
     for (const Index mesh : wanted) {
         if (mesh == none || meshes[mesh]) continue;
         const Index file = file_of(plan.meshes[mesh].shape);
-        if (file >= plan.scene.files.size() || store->meshes.has(mesh_identity(plan, mesh, loading.files).key))
-            continue;
+        if (file >= plan.scene.files.size() || store->meshes.has(mesh_identity(plan, mesh, *files).key)) continue;
         LoadedMesh& into = loaded_meshes[mesh];
-        jobs.push_back({plan.scene.files[file].name, [this, mesh, &into, &files = loading.files] {
+        jobs.push_back({plan.scene.files[file].name, [this, mesh, &into] {
                             const runtime::Stopwatch watch;
-                            into.mesh = load_mesh(plan, mesh, files, into.said);
+                            into.mesh = load_mesh(plan, mesh, *files, into.said);
                             into.milliseconds = watch.milliseconds();
                         }});
     }
@@ -202,7 +201,7 @@ Runtime::Impl::LoadedMesh Runtime::Impl::take_mesh(Index mesh, Loading& loading)
         return result;
     }
     const runtime::Stopwatch watch;
-    result.mesh = load_mesh(plan, mesh, loading.files, loading.diagnostics);
+    result.mesh = load_mesh(plan, mesh, *files, loading.diagnostics);
     result.milliseconds = watch.milliseconds();
     return result;
 }

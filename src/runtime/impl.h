@@ -143,15 +143,13 @@ struct Runtime::Impl {
 
     // build.cpp
     struct Loading {  // what only the building needs
-        Files& files;
-        Sources& sources;
         Diagnostics& diagnostics;
         std::set<const Diagnostics*> reported;  // of `program_problems`
     };
     void prepare(Diagnostics& diagnostics);
     // Compiles the program if it is not there yet, and does not report its problems.
     std::shared_ptr<runtime::LinkedProgram>& made(Index program, const runtime::Variant& variant, Loading& loading);
-    std::shared_ptr<runtime::LinkedProgram> compile(Index program, const runtime::Variant& variant, Loading& loading,
+    std::shared_ptr<runtime::LinkedProgram> compile(Index program, const runtime::Variant& variant,
                                                     Diagnostics& diagnostics);
     void tell(LoadProgress::Stage stage, std::string_view what, std::size_t done, std::size_t of) const {
         if (progress) progress({stage, what, done, of});
@@ -162,7 +160,7 @@ struct Runtime::Impl {
     std::vector<bool> live_passes(Loading& loading, bool dormant);
     void find_live_passes(Loading& loading);
     void ready_passes(Loading& loading);
-    void load_all(Loading& loading);
+    void load_all();
     std::optional<runtime::ReadyDraw> ready_draw(Index pass, Index draw, Loading& loading);
     runtime::Variant variant_of(Index pass, const Draw& draw) const;
     // As Variant::patch.
@@ -198,7 +196,7 @@ struct Runtime::Impl {
         double milliseconds = 0;
     };
     void preload(Loading& loading);
-    void preload_meshes(Loading& loading, std::vector<runtime::Job>& jobs);
+    void preload_meshes(std::vector<runtime::Job>& jobs);
     LoadedMesh take_mesh(Index mesh, Loading& loading);
     void ready_mesh(Index mesh, std::optional<content::Mesh>& loaded, Loading& loading);
     void ready_stages(runtime::ReadyDraw& ready, const content::Mesh* mesh, Loading& loading);

@@ -22,8 +22,6 @@
 
 namespace snell {
 
-// What pixels of a picture are before they are made bytes, and what drew them.
-
 // A square of pixels about one of them.
 struct Inspection {
     int x = 0, y = 0;  // that pixel, from the left and from the top

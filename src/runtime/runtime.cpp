@@ -10,8 +10,6 @@
 #include "parser/text/ranges.h"
 #include "src/gl/driver.h"
 #include "src/gl/target.h"
-#include "src/plan/objects.h"
-#include "src/plan/view.h"
 #include "src/runtime/impl.h"
 
 namespace snell {

@@ -52,12 +52,12 @@ glsl::Settler Runtime::Impl::settler(Index program) const {
         Diagnostics unheard;  // the controls of all active uniforms will report it
         Controls controls = make_controls(plan.scene, uniforms, unheard);
         settle(controls, plan.scene);
-        std::vector<glsl::Settled> settled;
+        std::vector<glsl::Settled> constants;
         for (const ActiveUniform& uniform : uniforms[program]) {
             const Control* control = controls.find(program, uniform.name);
-            if (!uniform.system && control && !control->varies) settled.push_back({uniform.name, control->value});
+            if (!uniform.system && control && !control->varies) constants.push_back({uniform.name, control->value});
         }
-        return settled;
+        return constants;
     };
 }
 
@@ -140,13 +140,13 @@ LinkedProgram* Runtime::Impl::program_of(Index pass, const Draw& draw) const {
 }
 
 std::shared_ptr<LinkedProgram> Runtime::Impl::link_for(Index pass, const Draw& draw,
-                                                       std::vector<glsl::Settled> values) {
+                                                       std::vector<glsl::Settled> constants) {
     Counters uncounted;  // nothing is drawn with it
     Diagnostics unheard;
-    return runtime::link_program(
-        {plan.scene.programs[draw.program], plan.programs[draw.program].stages, plan.scene.ladders,
-         variant_of(pass, draw), caps, *files, *sources, store.get(), uncounted, [&](const auto&) { return values; }},
-        unheard);
+    return runtime::link_program({plan.scene.programs[draw.program], plan.programs[draw.program].stages,
+                                  plan.scene.ladders, variant_of(pass, draw), caps, *files, *sources, store.get(),
+                                  uncounted, [&](const auto&) { return constants; }},
+                                 unheard);
 }
 
 // False: there is nothing to link.
@@ -167,12 +167,12 @@ bool Runtime::Impl::link_alone() {
                 linked->general = names(link_for(pass, draw, {}).get());
                 return true;
             }
-            const glsl::Settled& settled = linked->settled[linked->alone.size()];
-            const bool read = ranges::count(*linked->general, settled.name) > 0;
-            std::vector<glsl::Settled> values = linked->settled;
-            for (glsl::Settled& other : values)  // of two numbers only the larger is known: it decides nothing
-                if (other.name != settled.name) other.values.push_back(other.values.front());
-            linked->alone.push_back(names(read ? link_for(pass, draw, std::move(values)).get() : nullptr));
+            const glsl::Settled& one = linked->settled[linked->alone.size()];
+            const bool read = ranges::count(*linked->general, one.name) > 0;
+            std::vector<glsl::Settled> constants = linked->settled;
+            for (glsl::Settled& other : constants)  // of two numbers only the larger is known: it decides nothing
+                if (other.name != one.name) other.values.push_back(other.values.front());
+            linked->alone.push_back(names(read ? link_for(pass, draw, std::move(constants)).get() : nullptr));
             return true;
         }
     return false;
@@ -208,9 +208,9 @@ void Runtime::Impl::find_stand() {
     for (const auto& [key, linked] : programs) {
         const auto& [program, variant] = key;
         if (!linked || variant.settled != settled_values) continue;
-        for (const glsl::Settled& settled : linked->settled)
-            if (const Control* control = given.find(program, settled.name); control && control->active)
-                stand.push_back({static_cast<Index>(control - given.items.data()), settled.values});
+        for (const glsl::Settled& one : linked->settled)
+            if (const Control* control = given.find(program, one.name); control && control->active)
+                stand.push_back({static_cast<Index>(control - given.items.data()), one.values});
     }
 }
 
@@ -282,7 +282,7 @@ bool Runtime::Impl::specialise(const Frame& frame, const Surface& surface) {
 bool Runtime::Impl::link_next() {
     using State = runtime::Making::State;
     Diagnostics heard_before;
-    Loading loading{*files, *sources, heard_before, {}};
+    Loading loading{heard_before, {}};
     const Controls now = *values;
     settle = [&now](Controls& controls, const Scene&) {
         for (Control& control : controls.items)

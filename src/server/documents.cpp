@@ -4,11 +4,8 @@
 #include <filesystem>
 #include <iterator>
 #include <set>
-#include <utility>
-#include <vector>
 
 #include "parser/text/ranges.h"
-#include "src/language/find.h"
 #include "src/plan/locate.h"
 
 namespace snell::server {

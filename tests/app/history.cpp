@@ -6,7 +6,7 @@
 #include <random>
 
 #include "src/app/open/write_copy.h"
-#include "src/plan/objects.h"
+#include "src/plan/view.h"
 #include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "parser/read/parse.h"
-#include "src/plan/objects.h"
+#include "src/plan/view.h"
 #include "tests/plan/uniforms.h"
 
 namespace snell {

@@ -1,5 +1,5 @@
 // Hard cases of meshes, beside the plain loops of latitudes and longitudes.
-#include "src/content/mesh/shapes.h"
+#include "src/content/mesh/surface.h"
 #include "tests/hard_case.h"
 #include "tests/mesh/check.h"
 #include "tests/mesh/obj_check.h"

@@ -1,5 +1,5 @@
 // The teapot, the soccer ball, and everything's wires.
-#include "src/content/mesh/shapes.h"
+#include "src/content/mesh/surface.h"
 #include "tests/mesh/check.h"
 
 namespace snell::content {

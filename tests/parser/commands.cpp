@@ -48,7 +48,7 @@ TEST(Signature, MalformedOnesDoNotCompile) {
     for (std::size_t i = 0; i < bad.size(); ++i)
         text += "constexpr snell::Signature s" + std::to_string(i + 1) + " = \"" + bad[i] + "\";\n";
     const Scratch folder;
-    folder.write("signatures.cpp", "#include \"parser/commands/signature.h\"\n#line 1 \"row\"\n" + text);
+    folder.write("signatures.cpp", "#include \"parser/commands/commands.h\"\n#line 1 \"row\"\n" + text);
     const std::string command =
         "cd '" + folder.path() + "' && c++ -std=c++20 -fsyntax-only -I'" SNELL_ROOT "' signatures.cpp 2> errors";
     EXPECT_NE(std::system(command.c_str()), 0);

@@ -27,6 +27,14 @@ TEST(Resolve, ExactNameIsUsedAsItIs) {
     }
 }
 
+TEST(Resolve, AFolderWhoseNameIsTooLongIsNotThere) {
+    const Scratch folder;
+    folder.write("a.frag", "x");
+    const Files files(folder.path());
+    const Resolved found = files.resolve_beside(folder.path("a.frag"), std::string(300, 'b') + "/a.frag");
+    EXPECT_EQ(found.path + std::string(found.refused), "");
+}
+
 // By two spellings it would be two files for all that compare paths: changes would be offered twice.
 TEST(Resolve, OneFileHasOnePath) {
     const Scratch folder;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "src/content/cube/convolve.h"
-#include "src/plan/knobs.h"
+#include "src/plan/plan.h"
 #include "tests/oracle/light.h"
 
 namespace snell {

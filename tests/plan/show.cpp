@@ -7,7 +7,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "src/plan/show.h"
+#include "src/plan/view.h"
 
 namespace snell {
 namespace {

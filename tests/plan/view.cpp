@@ -3,7 +3,6 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "src/plan/objects.h"
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
 

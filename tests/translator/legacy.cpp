@@ -152,6 +152,17 @@ TEST(GlslLegacy, PreciseIsLeftOutWhereItIsUnknown) {
     EXPECT_FALSE(translated(texts, es300).has(Stage::vertex, "precise"));
 }
 
+TEST(GlslLegacy, InvariantAndPreciseOfTheSameNamesAreTwoStatements) {
+    const Texts texts = {
+        {Stage::vertex,
+         "#version 420 compatibility\nout vec4 a;\ninvariant precise gl_Position, a;\n"
+         "void main() { a = gl_Vertex; gl_Position = ftransform(); }"},
+        {Stage::fragment, "#version 420 compatibility\nin vec4 a;\nvoid main() { gl_FragColor = a; }"}};
+    expect_valid(texts, {core450, core410, es320, es300});
+    EXPECT_TRUE(translated(texts).has(Stage::vertex, "invariant gl_Position, a;precise gl_Position, a;"));
+    EXPECT_FALSE(translated(texts, es300).has(Stage::vertex, "precise"));
+}
+
 TEST(GlslLegacy, RedeclaredBuiltInsAreDropped) {
     expect_valid(
         {{Stage::vertex,

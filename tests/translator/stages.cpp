@@ -27,7 +27,7 @@ TEST(GlslStages, CoreStyleGeometryWithOldInputs) {
     EXPECT_TRUE(t.has(Stage::geometry, "snell_in[i].snell_FrontColor"));
     EXPECT_TRUE(t.has(Stage::geometry, "snell_in[i].snell_TexCoord[0]"));
     EXPECT_FALSE(t.has(Stage::geometry, "#extension"));
-    EXPECT_TRUE(t.diagnostics.empty());
+    EXPECT_TRUE(t.diagnostics.items().empty());
     expect_valid(texts);
 }
 
@@ -76,6 +76,21 @@ TEST(GlslStages, OldArraysHaveTheSizeOfThePrimitive) {
     translate_texts(t, texts, options);
     EXPECT_TRUE(t.has(Stage::geometry, "in vec3 n[2];"));
     EXPECT_TRUE(t.has(Stage::geometry, "vec3 kept[2+1];"));
+    expect_accepted(t.translation, true);
+    expect_valid(texts);
+}
+
+TEST(GlslStages, OldArraysGoOutIfTheTextSaysSo) {
+    const Texts texts = {
+        {Stage::vertex, "varying vec3 n; void main() { n = gl_Normal; gl_Position = gl_Vertex; }"},
+        {Stage::geometry,
+         "#version 120\n#extension GL_EXT_geometry_shader4 : enable\nvarying in vec3 n[];\nvarying out vec4 two[2];\n"
+         "void main() { two[0] = vec4(n[0], 1.); two[1] = vec4(1.); gl_Position = gl_PositionIn[0]; EmitVertex(); }"},
+        {Stage::fragment, "#version 120\nvarying vec4 two[2]; void main() { gl_FragColor = two[0] * two[1]; }"}};
+    Translated t;
+    translate_texts(t, texts, {.target = core450});
+    EXPECT_TRUE(t.has(Stage::geometry, "out vec4 two[2];"));
+    EXPECT_TRUE(t.diagnostics.items().empty());
     expect_accepted(t.translation, true);
     expect_valid(texts);
 }

@@ -5,10 +5,10 @@
 
 #include "parser/text/ranges.h"
 #include "src/lint/lint.h"
-#include "src/plan/objects.h"
 #include "src/plan/setup.h"
 #include "src/plan/texts.h"
 #include "src/plan/values/numbers.h"
+#include "src/plan/view.h"
 
 namespace snell::web {
 

@@ -11,8 +11,8 @@
 #include "src/glsl/read/lexer.h"
 #include "src/lint/lint.h"
 #include "src/plan/setup.h"
-#include "src/plan/show.h"
 #include "src/plan/texts.h"
+#include "src/plan/view.h"
 
 namespace snell::app {
 

@@ -7,7 +7,7 @@
 
 #include "src/app/desktop/settings.h"
 #include "src/app/open/complain.h"
-#include "src/plan/objects.h"
+#include "src/plan/view.h"
 #include "src/ui/shell.h"
 #include "src/ui/status.h"
 

@@ -7,8 +7,8 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/open/write_copy.h"
-#include "src/plan/objects.h"
 #include "src/plan/setup.h"
+#include "src/plan/view.h"
 
 namespace snell {
 

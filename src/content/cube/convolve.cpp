@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "src/content/workers.h"
 
@@ -207,7 +208,7 @@ std::vector<CubeLight> prefiltered(const CubeLight& light, int size) {
 // Cube maps as light: resizing, means and spherical harmonics, weighted by solid angle.
 namespace {
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 constexpr float half_max = 65504.0f;
 
 std::size_t texel_index(int size, int face, int column, int row) {

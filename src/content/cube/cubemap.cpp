@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 #include "src/content/workers.h"
 
@@ -218,9 +219,9 @@ std::array<double, 3> face_direction(int face, double s, double t) {
 
 std::array<double, 2> equirectangular_position(const std::array<double, 3>& direction) {
     const auto [x, y, z] = direction;
-    const double pi = std::acos(-1.0), level = std::hypot(x, z);
+    const double level = std::hypot(x, z);
     const double longitude = level > 0 ? std::atan2(x, -z) : 0;
-    return {.5 + longitude / (2 * pi), .5 - std::atan2(y, level) / pi};
+    return {.5 + longitude / (2 * std::numbers::pi), .5 - std::atan2(y, level) / std::numbers::pi};
 }
 
 // Cube maps from six files: names, sizes and decoding.

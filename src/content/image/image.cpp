@@ -1,7 +1,6 @@
 #include "src/content/image/image.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "src/content/image/formats.h"

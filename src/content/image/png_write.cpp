@@ -7,8 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include <png.h>
-
 #include "src/content/image/formats.h"
 #include "src/content/image/module.h"
 #include "src/content/replace.h"

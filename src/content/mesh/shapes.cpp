@@ -1,5 +1,4 @@
 // Boxes, quads and point clouds.
-#include "src/content/mesh/shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "src/content/mesh/tree.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>

@@ -37,7 +37,7 @@ void Parser::declarator(const Qualifiers& q, Type type, int group, bool global) 
     std::vector<double> value;
     Expression given;
     // A varying array in a geometry shader, without a direction: one element for each vertex that comes in.
-    if (global && q.varying && u_.stage == Stage::geometry && g.type.dims == 1 && q.direction == 0)
+    if (global && q.varying && u_.stage == Stage::geometry && g.type.dims == 1 && !q.directed)
         g.qualifiers.storage = Storage::in;
     if (accept("=")) {
         g.init_first = p_;

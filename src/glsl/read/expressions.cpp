@@ -63,34 +63,30 @@ int Parser::variable(const Type& type) {
     return static_cast<int>(u_.code.variables.size()) - 1;
 }
 
+void Parser::note_misfit(int first, int last, std::string_view op, const Type* a, const Type* b) {
+    const auto name = [](const Type* type) {
+        return type ? type_name(type->base, type->rows, type->cols) : std::string_view();
+    };
+    const Span begin = u_.span(first), end = u_.span(last);
+    if (begin.file == end.file)
+        u_.misfits.push_back({{begin.file, begin.begin, end.end}, std::string(op), name(a), name(b)});
+}
+
 void Parser::note_operands(const Expression& a, const Expression& b, std::string_view op) {
     if (a.first < 0 || b.last < a.first || !known(a.type) || !known(b.type) || takes(op, a.type, b.type)) return;
-    const Span first = u_.span(a.first), last = u_.span(b.last);
-    if (first.file != last.file) return;
-    u_.misfits.push_back({{first.file, first.begin, last.end},
-                          std::string(op),
-                          type_name(a.type.base, a.type.rows, a.type.cols),
-                          type_name(b.type.base, b.type.rows, b.type.cols)});
+    note_misfit(a.first, b.last, op, &a.type, &b.type);
 }
 
 void Parser::note_assigned(const Type& to, const Expression& value) {
     if (value.first < 0 || value.last < value.first || !known(to) || !known(value.type)) return;
-    if (to.rows == value.type.rows && to.cols == value.type.cols) return;
-    const Span first = u_.span(value.first), last = u_.span(value.last);
-    if (first.file != last.file) return;
-    u_.misfits.push_back({{first.file, first.begin, last.end},
-                          ":=",
-                          type_name(to.base, to.rows, to.cols),
-                          type_name(value.type.base, value.type.rows, value.type.cols)});
+    if (to.rows != value.type.rows || to.cols != value.type.cols)
+        note_misfit(value.first, value.last, ":=", &to, &value.type);
 }
 
 void Parser::note_operand(const Expression& e, std::string_view op) {
     if (e.first < 0 || e.last < e.first || !known(e.type)) return;
     const bool good = op == "!" ? e.type.scalar() : op == "~" ? e.type.integral() : e.type.numeric();
-    const Span first = u_.span(e.first), last = u_.span(e.last);
-    if (good || first.file != last.file) return;
-    u_.misfits.push_back(
-        {{first.file, first.begin, last.end}, std::string(op), type_name(e.type.base, e.type.rows, e.type.cols), {}});
+    if (!good) note_misfit(e.first, e.last, op, &e.type, nullptr);
 }
 
 void Parser::wrap(const Expression& e, std::string_view type) {
@@ -204,8 +200,7 @@ Expression Parser::assignment() {
         const bool name = target.first == target.last && u_.at(target.first).kind == Kind::identifier;
         if (plain && name && target.legacy.empty() && !known(target.type) && known(value.type) &&
             !value.type.integral() && !find(u_.at(target.first).text))
-            u_.misfits.push_back(
-                {u_.span(target.first), "=", {}, type_name(value.type.base, value.type.rows, value.type.cols)});
+            note_misfit(target.first, target.first, "=", nullptr, &value.type);
         Type due = target.type;
         if (!plain && op != "<<=" && op != ">>=") note_operands(target, value, op.substr(0, 1));
         if (plain) note_assigned(due, value);

@@ -200,4 +200,17 @@ std::size_t count_word(std::string_view text, std::string_view word) {
     return count;
 }
 
+std::vector<IncludeName> included_names(std::string_view text) {
+    constexpr std::string_view directive = "include";
+    std::vector<IncludeName> names;
+    for (std::size_t at = text.find(directive); at != text.npos; at = text.find(directive, at + directive.size())) {
+        const std::size_t open = text.find_first_of("\"<\n", at);
+        if (open == text.npos || text[open] == '\n') continue;
+        const bool angle = text[open] == '<';
+        const std::size_t end = text.find_first_of(angle ? ">\n" : "\"\n", open + 1);
+        if (end != text.npos && text[end] != '\n') names.push_back({text.substr(open + 1, end - open - 1), angle});
+    }
+    return names;
+}
+
 }  // namespace snell::glsl

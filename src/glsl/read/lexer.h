@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "src/glsl/read/token.h"
 
@@ -40,5 +41,13 @@ bool blank(char c);
 // How often the word is in the text, without those that are a part of another.
 std::size_t count_word(std::string_view text, std::string_view word);
 inline bool has_word(std::string_view text, std::string_view word) { return count_word(text, word) > 0; }
+
+// A name that follows `include` in its line: of a file, or in angle brackets of a text of snell's library.
+struct IncludeName {
+    std::string_view name;
+    bool angle = false;
+};
+// Those in comments and in branches that are never compiled count, too. Lines that are no directives do no harm.
+std::vector<IncludeName> included_names(std::string_view text);
 
 }  // namespace snell::glsl

@@ -133,6 +133,7 @@ Qualifiers Parser::qualifiers() {
         if (t == "const") q.constant = true;
         if (t == "in") q.storage = q.storage == Storage::out ? Storage::inout : Storage::in;
         if (t == "out") q.storage = q.storage == Storage::in ? Storage::inout : Storage::out;
+        if (t == "in" || t == "out") q.directed = true;
         if (t == "inout") q.storage = Storage::inout;
         if (t == "uniform") q.storage = Storage::uniform;
         if (t == "buffer") q.storage = Storage::buffer;

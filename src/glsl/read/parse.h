@@ -107,6 +107,7 @@ private:
     bool foreign_function(std::string_view name, std::vector<Expression>& given, Expression& result);
     void convert(const Expression& e, const Type& due, Due why);
     // Remembers operands that the operator does not take.
+    void note_misfit(int first, int last, std::string_view op, const Type* a, const Type* b);
     void note_assigned(const Type& to, const Expression& value);
     void note_operands(const Expression& a, const Expression& b, std::string_view op);
     void note_operand(const Expression& e, std::string_view op);
@@ -118,7 +119,6 @@ private:
     void mark_product(const Expression& e, const Expression& a, const Expression& b, const Expression* weight);
     void mark_kept(const Expression& e, int into, bool written = true);
     void note_write(const Expression& target, const Expression* value, std::string_view op);
-    void touch(const Expression& e, bool write);
 
     // code
     int emit(Op op, int a = 0, std::string_view text = {}, int b = 0) {

@@ -77,10 +77,6 @@ struct Edit {
     bool replaced = false;
 };
 
-struct Invocation {
-    std::string_view source;  // as written: name and arguments
-};
-
 struct Extension {
     std::string name, behaviour;
 };
@@ -129,7 +125,7 @@ struct Qualifiers {
     bool constant = false;  // `const` was written, also beside in, out or uniform
     bool varying = false;   // the word varying was used
     bool attribute = false;
-    int direction = 0;  // 1: in or out was written, too
+    bool directed = false;  // in or out was written, too
     bool invariant = false, precise = false;
     std::string_view interpolation;  // flat, smooth, noperspective
     std::string_view auxiliary;      // centroid, sample, patch
@@ -261,8 +257,8 @@ struct Unit {
 
     std::vector<Token> tokens;  // the last one is Kind::end
     std::vector<Edit> edits;
-    std::vector<Invocation> invocations;
-    std::string_view head;  // what stands before a #version directive
+    std::vector<std::string_view> invocations;  // of macros, as written: name and arguments
+    std::string_view head;                      // what stands before a #version directive
     bool has_version = false;
     int version = 110;
     std::string_view profile;

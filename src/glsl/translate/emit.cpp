@@ -29,7 +29,7 @@ std::size_t write_invocation(const Unit& u, std::size_t i, std::size_t last, std
     std::size_t end = i;
     bool changed = !u.verbatim || (i > 0 && u.tokens[i - 1].macro == id);
     while (end < u.tokens.size() && u.tokens[end].macro == id) changed = u.tokens[end++].edit >= 0 || changed;
-    const std::string_view source = u.invocations[static_cast<std::size_t>(id)].source;
+    const std::string_view source = u.invocations[static_cast<std::size_t>(id)];
     if (!changed && end - 1 <= last) {
         out += source;
         return end;
@@ -94,8 +94,7 @@ std::string define_lines(const Program& program, const Unit& u) {
         if (std::find(u.defined.begin(), u.defined.end(), d.name) != u.defined.end()) continue;
         bool used = u.has_conditionals;
         for (const Token& t : u.tokens)
-            used =
-                used || (t.macro >= 0 && u.invocations[static_cast<std::size_t>(t.macro)].source.starts_with(d.name));
+            used = used || (t.macro >= 0 && u.invocations[static_cast<std::size_t>(t.macro)].starts_with(d.name));
         if (used) lines += "#define " + d.name + " " + d.value + "\n";
     }
     return lines;

@@ -1,4 +1,6 @@
 // Global variables: initialisers that are no constants, and declarations as the target wants them.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "parser/text/ranges.h"
@@ -140,7 +142,8 @@ void rewrite(Unit& u, const Group& group) {
 }
 
 // `invariant A, B;`, less what passes between no stages any more, what is ours, and inputs: only versions before 4.20
-// want the word on both sides. The same of `precise`, where the target has it.
+// want the word on both sides. The same of `precise`, where the target has it; of both, one statement each, because
+// some drivers take no two words.
 void write_redeclared(const Target& target, Unit& u, int first, int last) {
     const auto stays = [&](std::string_view name) {
         if (const LegacyName* legacy = legacy_name(name)) return legacy->kind == LegacyKind::core;
@@ -148,19 +151,24 @@ void write_redeclared(const Target& target, Unit& u, int first, int last) {
         if (global == u.globals.end() || global->qualifiers.storage == Storage::out) return true;
         return global->qualifiers.storage == Storage::in && !target.es && target.version < 420;
     };
-    std::string names;
-    bool all = true;
-    for (int k = first + 1; k < last; ++k) {
+    std::vector<std::string_view> words;
+    std::string names, text;
+    bool same = true;
+    for (int k = first; k < last; ++k) {
+        const std::string_view name = u.at(k).text;
         if (u.at(k).kind != Kind::identifier) continue;
-        if (stays(u.at(k).text))
+        if (name == "invariant" || name == "precise")
+            words.push_back(name);
+        else if (stays(name))
             names += (names.empty() ? "" : ", ") + std::string(u.now(k));
         else
-            all = false;
+            same = false;
     }
-    const bool precise = u.at(first).text == "precise", lacks = precise && !target.has_precise();
-    if (all && !lacks) return;
+    for (const std::string_view word : words)
+        if (word == "invariant" || target.has_precise()) text += fmt::format("{} {};", word, names);
+    if (same && words.size() == 1 && !text.empty()) return;
     u.erase(first, last);
-    if (!names.empty() && !lacks) u.replace(first, (precise ? "precise " : "invariant ") + names + ";");
+    if (!names.empty()) u.replace(first, text);
 }
 
 }  // namespace

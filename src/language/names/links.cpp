@@ -149,8 +149,6 @@ std::vector<DeclaredPlace> declared_in(Texts& texts, const std::vector<FileId>& 
 
 }  // namespace
 
-std::string_view base_name(std::string_view uniform) { return uniform.substr(0, uniform.find_first_of(".[")); }
-
 Linked linked(Texts& texts, const Named& named) {
     Linker linker(texts, named.name);
     if (named.what == Named::What::global) linker.add_file(named.span.file);

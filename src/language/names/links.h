@@ -58,8 +58,6 @@ struct DeclaredPlace {
 std::vector<DeclaredPlace> declarations(Texts& texts, const ShaderUse& use, std::string_view name);
 std::vector<DeclaredPlace> declarations(Texts& texts, FileId file, std::string_view name);
 
-// The name without [n] and members: what shaders declare.
-std::string_view base_name(std::string_view uniform);
 // The program whose Program statement, or stray line of uniforms, is at the place; `none` if there is none.
 Index program_at(Texts& texts, FileId file, std::uint32_t offset);
 // The source that the name of a file leads to; nullopt if it is not a text of the project.

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "src/language/answers.h"
-#include "src/language/offers/uniforms.h"
+#include "src/language/names/links.h"
+#include "src/language/names/texts.h"
 
 namespace snell::language {
 
@@ -18,6 +19,15 @@ std::optional<Hover> scene_hover(Texts& texts, FileId file, std::uint32_t offset
 std::optional<Hover> shader_hover(Texts& texts, FileId file, std::uint32_t offset);
 std::optional<SignatureHelp> scene_signature(Texts& texts, FileId file, std::uint32_t offset);
 std::optional<SignatureHelp> shader_signature(Texts& texts, FileId file, std::uint32_t offset);
+
+struct UniformFact {
+    std::string_view name, type;
+    FileId file = 0;
+    std::uint32_t offset = 0;  // of its name in the declaration
+    std::string_view initial;  // its initialiser
+    std::string comment;       // of its author
+    bool array = false;
+};
 
 // Of names with blanks: as they are, in quotes, or within quotes whose end is written already.
 enum class Quotes : std::uint8_t { never, added, closed };
@@ -50,5 +60,41 @@ std::string declaration_text(const Outline& outline, const ShaderDeclaration& de
 
 // "fresnel.frag:12", for documentation.
 std::string place_text(Texts& texts, FileId file, std::uint32_t offset);
+
+// The members of the expression before a point, and the types of names.
+
+struct MemberOffer {
+    std::string name, type;
+    int rank = 1;
+};
+// `point`: the number of the token that is the point.
+std::vector<MemberOffer> members_before(Texts& texts, FileId file, std::size_t point, Stage stage);
+
+// The type of the variable or member that the token names, without dimensions; empty if it is not known.
+std::string type_of_name(Texts& texts, FileId file, std::size_t token, Stage stage, int depth = 0);
+
+// The uniforms that the shaders of a program declare and snell does not set, each once.
+std::vector<UniformFact> declared_uniforms(Texts& texts, Index program);
+
+// The comment on the line of a declaration, or on the lines above it; empty if there is none.
+std::string comment_of(const Outline& outline, std::uint32_t begin, std::uint32_t end);
+
+// A value for a Program statement. `numbers` are the parts that an author wants to change.
+struct ProposedValue {
+    std::string before, after;         // brackets
+    std::vector<std::string> numbers;  // between them
+    std::vector<std::string> choices;  // of a value of one number, such as texture units; empty: no choice
+
+    std::string text() const;
+    std::string snippet(int& placeholder) const;
+};
+// Goes by the type, the initialiser and the words of the name: uKa <0. .2 1.>, uEta <.1 1.1 5.>, {.8 .8 .8 1.}.
+ProposedValue proposed_value(const Scene& scene, const UniformFact& uniform);
+
+// The type that a shader would probably declare for the value.
+std::string guessed_type(const Scene& scene, const UniformValue& value);
+
+// Set by snell if it is declared with this type.
+bool set_by_system(std::string_view name, std::string_view type);
 
 }  // namespace snell::language

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
-#include "src/language/offers/members.h"
 #include "src/language/offers/offers.h"
 #include "src/language/shader/builtins.h"
 

@@ -8,7 +8,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "parser/text_of.h"
-#include "src/language/offers/uniforms.h"
+#include "src/language/offers/offers.h"
 #include "src/plan/plan.h"
 
 namespace snell::language {

@@ -7,6 +7,7 @@
 #include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/language/scene/statements.h"
+#include "src/plan/values/controls.h"
 
 namespace snell::language {
 
@@ -198,8 +199,7 @@ UniformPlace uniform_at(const Statements& statements, const SceneStatement& stat
         const bool none = value >= end;
         if (token <= name || (token >= end && !unfinished && !(none && token == name + 1))) return;
         place.part = UniformPlace::Part::value;
-        const std::string_view word = statements.word(tokens[name]);
-        place.name = word.substr(0, word.find_first_of(".["));
+        place.name = base_name(statements.word(tokens[name]));
         place.number = 0;
         place.bracket = value < token && value < tokens.size() && tokens[value].kind == TokenKind::open
                             ? statements.word(tokens[value])[0]
@@ -215,8 +215,7 @@ std::vector<WrittenUniform> written_uniforms(const Statements& statements, const
     std::vector<WrittenUniform> found;
     UniformWalk(statements, statement).run([&](std::size_t name, std::size_t value, std::size_t end) {
         WrittenUniform one;
-        const std::string_view word = statements.word(tokens[name]);
-        one.name = word.substr(0, word.find_first_of(".["));
+        one.name = base_name(statements.word(tokens[name]));
         one.name_span = {statements.file, tokens[name].begin,
                          tokens[name].begin + static_cast<std::uint32_t>(one.name.size())};
         end = std::min(end, tokens.size());

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "parser/read/syntax.h"
-
 namespace snell::language {
 
 namespace {

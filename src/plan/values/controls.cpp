@@ -20,13 +20,13 @@ namespace {
 
 using Kind = UniformValue::Kind;
 
-std::string_view base_name(std::string_view name) {
+std::string_view without_zero(std::string_view name) {
     return name.ends_with("[0]") ? name.substr(0, name.size() - 3) : name;
 }
 
 const ActiveUniform* find_active(const std::vector<ActiveUniform>& active, std::string_view name) {
     const auto found = std::find_if(active.begin(), active.end(), [&](const ActiveUniform& uniform) {
-        return base_name(uniform.name) == base_name(name);
+        return without_zero(uniform.name) == without_zero(name);
     });
     return found == active.end() ? nullptr : &*found;
 }
@@ -116,9 +116,9 @@ private:
     // Adds a value such as "weights[2] 5." to the array's control: the elements of one array share a control.
     void add_element(Index program, const UniformValue& written, const Element& element) {
         const ActiveUniform& array = *element.array;
-        Control* control = controls_.find(program, base_name(array.name));
+        Control* control = controls_.find(program, without_zero(array.name));
         if (control == nullptr) {
-            controls_.items.push_back(control_of(program, base_name(array.name), written.span));
+            controls_.items.push_back(control_of(program, without_zero(array.name), written.span));
             control = &controls_.items.back();
             take_type(*control, array);
         }
@@ -126,7 +126,7 @@ private:
         if (range)
             diagnostics_.warning("element-without-slider", written.span,
                                  fmt::format("'{}' gets no slider, as '{}' has its values in one, too", written.name,
-                                             base_name(array.name)),
+                                             without_zero(array.name)),
                                  "give each element a value of its own instead");
         const std::vector<double> values = range ? std::vector{written.values[1]} : written.values;
         const auto each = static_cast<std::size_t>(control->components);
@@ -155,24 +155,18 @@ private:
     }
 
     bool includes_more(std::string_view text) const {
-        for (std::size_t at = text.find("include"); at != text.npos; at = text.find("include", at + 1)) {
-            const std::string_view rest = text.substr(at, text.find('\n', at) - at);
-            const std::size_t open = rest.find_first_of("\"<");
-            const std::string_view name = open == rest.npos ? rest : rest.substr(open + 1);
-            const std::string_view file = name.substr(0, name.find_first_of("\">"));
-            const std::string_view last = file.substr(file.rfind('/') + 1);
-            bool read = open == rest.npos;
-            for (FileId other = 0; other < declared_->sources.size(); ++other)
-                read = read || declared_->sources.name(other).ends_with(last);
-            if (!read) return true;
-        }
-        return false;
+        return ranges::any_of(glsl::included_names(text), [&](const glsl::IncludeName& include) {
+            const std::string_view last = include.name.substr(include.name.rfind('/') + 1);
+            for (FileId file = 0; file < declared_->sources.size(); ++file)
+                if (declared_->sources.name(file).ends_with(last)) return false;
+            return true;
+        });
     }
 
     // If another rung may use what this one does not, the name is reported only if it resembles one that is used but
     // not listed, because that suggests a typing error.
     void report_unknown(Index program, const UniformValue& written, const std::vector<ActiveUniform>& active) {
-        const std::string_view base = std::string_view(written.name).substr(0, written.name.find_first_of(".["));
+        const std::string_view base = base_name(written.name);
         const bool laddered = other_rung_may_use(program, base);
         if (const auto* whole = find_declared(program, written.name); whole != nullptr && whole->in_block) {
             report_unknown(
@@ -197,7 +191,7 @@ private:
         }
         std::vector<std::string_view> names;  // a name that is listed would be given twice
         for (const ActiveUniform& uniform : active) {
-            const std::string_view name = base_name(uniform.name);
+            const std::string_view name = without_zero(uniform.name);
             if (is_internal(name) || (laddered && uniform.system) || is_listed(program, name)) continue;
             names.push_back(name);
         }
@@ -236,7 +230,7 @@ private:
 
     bool is_listed(Index program, std::string_view name) const {
         return ranges::any_of(scene_.programs[program].uniforms,
-                              [&](const UniformValue& value) { return base_name(value.name) == name; });
+                              [&](const UniformValue& value) { return without_zero(value.name) == name; });
     }
 
     // Guesses the type of a value in a program whose uniforms are unknown.
@@ -418,7 +412,7 @@ private:
 
     void add_unlisted(Index program, const std::vector<ActiveUniform>& active) {
         for (const ActiveUniform& uniform : active) {
-            const std::string_view name = base_name(uniform.name);
+            const std::string_view name = without_zero(uniform.name);
             if (uniform.system || is_internal(name) || controls_.find(program, name) != nullptr) continue;
             Control control = control_of(program, name, scene_.programs[program].span);
             control.listed = false;
@@ -442,7 +436,7 @@ private:
 
 const Control* Controls::find(Index program, std::string_view name) const {
     const auto found = std::find_if(items.begin(), items.end(), [&](const Control& control) {
-        return control.program == program && base_name(control.name) == base_name(name);
+        return control.program == program && without_zero(control.name) == without_zero(name);
     });
     return found == items.end() ? nullptr : &*found;
 }

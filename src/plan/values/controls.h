@@ -83,6 +83,9 @@ bool set_control(Controls& controls, const Scene& scene, std::string_view assign
 // value if the scene's text changed it, and its own range unless a value outside of it needs the wider one of `from`.
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene);
 
+// The name without [n] and members: what shaders declare.
+inline std::string_view base_name(std::string_view uniform) { return uniform.substr(0, uniform.find_first_of(".[")); }
+
 // "Glass.uEta" for each control, or "Glass#2.uEta" in the second program of that name.
 std::vector<std::string> control_names(const Scene& scene, const Controls& controls);
 

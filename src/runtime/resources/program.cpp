@@ -14,7 +14,6 @@
 #include "shaders/embedded.h"
 #include "src/plan/texts.h"
 #include "src/plan/values/declared.h"
-#include "src/runtime/resources/counters.h"
 #include "src/runtime/resources/stages.h"
 
 namespace snell::runtime {
@@ -134,8 +133,7 @@ bool LinkedProgram::reads(glsl::System which) const {
 }
 
 std::vector<std::string> LinkedProgram::functions_naming(std::string_view uniform) const {
-    const std::string_view name = uniform.substr(0, uniform.find_first_of(".["));
-    const auto found = ranges::find(declared, name, &glsl::DeclaredUniform::name);
+    const auto found = ranges::find(declared, base_name(uniform), &glsl::DeclaredUniform::name);
     return found == declared.end() ? std::vector<std::string>() : found->functions;
 }
 
@@ -171,6 +169,12 @@ void explain_shader(const std::string& log, const glsl::StageOutput& stage, cons
                       request.sources, diagnostics, whole.empty() ? glsl::Lines::numbered : glsl::Lines::unnumbered);
 }
 
+void explain_link(const std::string& log, const glsl::Translation& translation, const LinkRequest& request,
+                  Diagnostics& diagnostics) {
+    glsl::explain_log(log, translation, nullptr, request.program.span, request.program.name, request.sources,
+                      diagnostics);
+}
+
 // Returns null if a stage does not compile, or if the stages do not link.
 std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Translation& translation,
                                      Diagnostics& diagnostics) {
@@ -188,8 +192,7 @@ std::shared_ptr<LinkedProgram> build(const LinkRequest& request, const glsl::Tra
     if (parts.size() < translation.stages.size()) return nullptr;
     gl::Linked result = gl::link(parts, attribute_locations(glsl::attribute_names()));
     if (!result.program) {
-        glsl::explain_log(result.log, translation, nullptr, request.program.span, request.program.name, request.sources,
-                          diagnostics);
+        explain_link(result.log, translation, request, diagnostics);
         return nullptr;
     }
     ++request.counters.programs_compiled;
@@ -216,8 +219,7 @@ bool add_parts(LinkedProgram& linked, const LinkRequest& request, const glsl::Tr
         }
         gl::Linked made = link_capturing(*shader, *written, request.caps);
         if (!made.program) {
-            glsl::explain_log(made.log, translation, nullptr, request.program.span, request.program.name,
-                              request.sources, diagnostics);
+            explain_link(made.log, translation, request, diagnostics);
             return false;
         }
         ++request.counters.programs_compiled;

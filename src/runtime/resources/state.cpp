@@ -1,7 +1,6 @@
 #include "src/runtime/resources/state.h"
 
 #include <algorithm>
-#include <array>
 
 #include "src/gl/driver.h"
 #include "src/glsl/glsl.h"

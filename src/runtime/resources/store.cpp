@@ -1,7 +1,5 @@
 #include "src/runtime/resources/store.h"
 
-#include "parser/text/ranges.h"
-
 namespace snell::runtime {
 
 void say_again(const Said& said, std::span<const Span> places, Diagnostics& diagnostics) {

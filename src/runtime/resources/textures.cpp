@@ -12,8 +12,6 @@
 #include "src/content/image/image.h"
 #include "src/content/image/noise.h"
 #include "src/content/workers.h"
-#include "src/plan/identity.h"
-#include "src/runtime/resources/counters.h"
 
 namespace snell::runtime {
 

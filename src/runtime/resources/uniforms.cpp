@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <vector>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_access.hpp>
@@ -13,7 +12,6 @@
 #include "src/gl/driver.h"
 #include "src/plan/plan.h"
 #include "src/plan/values/declared.h"
-#include "src/runtime/resources/program.h"
 
 namespace snell::runtime {
 

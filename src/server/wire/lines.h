@@ -12,8 +12,6 @@
 
 namespace snell::server {
 
-// Places in a text as the protocol counts them: lines, and units of an encoding within a line.
-
 enum class Encoding : std::uint8_t { utf8, utf16 };
 
 struct Place {
@@ -45,8 +43,6 @@ private:
     };
     mutable Last last_;
 };
-
-// JSON values, and places of the protocol in them.
 
 using Json = nlohmann::ordered_json;
 

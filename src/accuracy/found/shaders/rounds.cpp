@@ -33,7 +33,7 @@ public:
         for (std::size_t k = 1; k < s_.unit.tokens.size(); ++k) {
             const glsl::Token& t = s_.unit.tokens[k];
             if (s_.unit.tokens[k - 1].text == "[")
-                sizes_.insert(t.macro >= 0 ? s_.unit.invocations[at(t.macro)].source : t.text);
+                sizes_.insert(t.macro >= 0 ? s_.unit.invocations[at(t.macro)] : t.text);
         }
     }
 
@@ -92,7 +92,7 @@ private:
     void keep(const Node& n) {
         if (n.form == Form::name) sizes_.insert(n.text);
         if (n.first >= 0 && s_.token(n.first).macro >= 0)
-            sizes_.insert(s_.unit.invocations[at(s_.token(n.first).macro)].source);
+            sizes_.insert(s_.unit.invocations[at(s_.token(n.first).macro)]);
     }
 
     void loop(const Counter& c) {
@@ -429,7 +429,7 @@ private:
         if (gave(first - 1) || gave(last + 1)) return {};
         for (int k = first; k <= last; ++k)
             if (!gave(k)) return {};
-        return s_.unit.invocations[at(macro)].source;
+        return s_.unit.invocations[at(macro)];
     }
 
     bool definition_of_macro(const RoundBound& bound, double factor) {
@@ -499,7 +499,7 @@ private:
     // Ladders choose among such numbers already.
     bool of_ladder(const Node& n) const {
         if (n.first < 0 || s_.token(n.first).macro < 0) return false;
-        const std::string_view name = s_.unit.invocations[at(s_.token(n.first).macro)].source;
+        const std::string_view name = s_.unit.invocations[at(s_.token(n.first).macro)];
         return std::any_of(s_.defines.begin(), s_.defines.end(), [&](const auto& d) { return d.name == name; });
     }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "src/runtime/explain/explain.h"
+#include "src/runtime/explain.h"
 
 namespace snell {
 
@@ -126,11 +126,11 @@ void TextureView::list(const Document& shown) {
         if (paid.noise)
             add({none, paid.noise}, fmt::format("Noise{}", paid.noise), paid.why, runtime.noise(paid.noise));
         else if (paid.texture != none)
-            add({paid.texture, 0}, runtime::title_of(textures[paid.texture]), paid.why, runtime.texture(paid.texture));
+            add({paid.texture, 0}, title_of(textures[paid.texture]), paid.why, runtime.texture(paid.texture));
     for (Index i = 0; i < textures.size(); ++i) {
         if (runtime.texture(i)) continue;
         const auto unused = ranges::find(explanation.unused, i, &Explanation::Unused::texture);
-        add({i, 0}, runtime::title_of(textures[i]),
+        add({i, 0}, title_of(textures[i]),
             unused != explanation.unused.end() ? unused->why : "no program for these values reads it", std::nullopt);
     }
     facts_.rows = rows_;

@@ -1,4 +1,4 @@
-#include "src/runtime/explain/explain.h"
+#include "src/runtime/explain.h"
 
 #include <array>
 #include <cmath>
@@ -11,7 +11,6 @@
 #include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/plan/identity.h"
-#include "src/runtime/explain.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -20,14 +19,169 @@ namespace {
 
 using Kind = Explanation::Kind;
 using Paid = Explanation::Paid;
-using runtime::kind_of;
-using runtime::name_of;
-using runtime::statement_of;
-using runtime::title_of;
 
 std::string size_text(const std::array<int, 3>& size) {
     return size[2] > 1 ? fmt::format("{}x{}x{}", size[0], size[1], size[2]) : fmt::format("{}x{}", size[0], size[1]);
 }
+
+std::string statement_of(const Texture& texture) {
+    constexpr std::array<std::string_view, 4> targets{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
+    constexpr std::array<std::string_view, 3> computed{"", "Irradiance", "Prefilter"};
+    const bool made = texture.computed != Computed::no;
+    return fmt::format(
+        "{} {}",
+        made ? computed[static_cast<std::size_t>(texture.computed)] : targets[static_cast<std::size_t>(texture.target)],
+        texture.unit);
+}
+
+Kind kind_of(const Texture& texture) {
+    return texture.computed != Computed::no        ? Kind::computed
+           : texture.files.empty()                 ? Kind::empty_texture
+           : texture.target == TextureTarget::cube ? Kind::cube_map
+                                                   : Kind::image;
+}
+
+}  // namespace
+
+std::string title_of(const Texture& texture) {
+    const std::string_view file = texture.files.empty() ? std::string_view() : texture.files[0].name;
+    return fmt::format("{}{}{}", statement_of(texture), file.empty() ? "" : " ", file.substr(file.rfind('/') + 1));
+}
+
+namespace {
+
+std::string name_of(const Pass& pass) {
+    return std::array{"window", "RenderToTexture", "RenderToCube"}[static_cast<std::size_t>(pass.kind)];
+}
+
+std::string value_text(const std::vector<double>& values, ValueType type) {
+    std::vector<std::string> words;
+    for (const double value : values)
+        words.push_back(type == ValueType::bool_ ? (value != 0 ? "true" : "false")
+                                                 : text_of::number(value, value == std::round(value)));
+    return words.size() == 1 ? words[0] : fmt::format("({})", fmt::join(words, ", "));
+}
+
+// What the values of uniforms switch off, without what it saves. Values count alone where Runtime::find_switched_off
+// has tried them.
+class SwitchedOffFinder {
+public:
+    explicit SwitchedOffFinder(const Runtime::Impl& impl) : impl_(impl), scene_(impl.plan.scene) {}
+
+    std::vector<Explanation::SwitchedOff> all() {
+        std::set<Index> told;
+        for (Index pass = 0; pass < impl_.passes.size(); ++pass)
+            for (const Draw* draw : programmed(scene_.passes[pass])) {
+                const auto* linked = impl_.passes[pass].live ? impl_.program_of(pass, *draw) : nullptr;
+                if (linked && !linked->settled.empty() && told.insert(draw->program).second)
+                    of_program(draw->program, *linked);
+            }
+        return std::move(result_);
+    }
+
+private:
+    // What draws would read.
+    struct Reach {
+        std::set<Index> textures, passes;
+        std::set<int> noise;
+    };
+
+    std::vector<const Draw*> programmed(const Pass& pass) const {
+        std::vector<const Draw*> draws;
+        for (const Item& item : pass.items)
+            if (item.kind == Item::Kind::draw && scene_.draws[item.index].program != none)
+                draws.push_back(&scene_.draws[item.index]);
+        return draws;
+    }
+
+    void reach(Reach& all, const Draw& draw, std::span<const runtime::SamplerUniform> samplers) const {
+        for (const runtime::Sampled& sampled : impl_.sampled_by(draw, samplers))
+            if (sampled.noise) all.noise.insert(sampled.noise);
+        for (const Index texture : impl_.read_by(draw, samplers)) reach(all, texture);
+    }
+
+    void reach(Reach& all, Index index) const {
+        const Index texture = index == none ? none : impl_.textures.first(index);
+        if (texture == none || !all.textures.insert(texture).second) return;
+        const auto is_it = [&](Index drawn) { return drawn != none && impl_.textures.first(drawn) == texture; };
+        for (Index i = 0; i < impl_.passes.size(); ++i) {
+            const Pass& pass = scene_.passes[i];
+            if (impl_.passes[i].live || ranges::none_of(pass.textures, is_it) || !all.passes.insert(i).second) continue;
+            for (const Draw* draw : programmed(pass)) {
+                reach(all, *draw, impl_.dormant[draw->program]);
+                if (const auto* linked = impl_.program_of(i, *draw)) reach(all, *draw, linked->samplers);
+            }
+        }
+    }
+
+    void of_program(Index program, const runtime::LinkedProgram& linked) {
+        std::set<std::string_view> told;  // of single values, and these themselves
+        const auto off = [&](const auto& stays) {
+            std::vector<const ActiveUniform*> inactive;
+            for (const ActiveUniform& uniform : impl_.active[program])
+                if (!stays(uniform.name) && !(linked.general && ranges::count(*linked.general, uniform.name) == 0))
+                    inactive.push_back(&uniform);
+            return inactive;
+        };
+        Explanation::SwitchedOff row{program, scene_.programs[program].name, "", "", {}, {}, {}};
+        for (std::size_t i = 0; i < linked.alone.size(); ++i) {
+            const auto& [name, values] = linked.settled[i];
+            const Control* control = impl_.given.find(program, name);
+            row.uniform = name;
+            row.value = value_text(values, control ? control->type : ValueType::float_);
+            row.span = control && control->listed ? std::optional(control->span) : std::nullopt;
+            const auto& active = linked.alone[i];
+            const auto inactive =
+                off([&](const std::string& n) { return n == row.uniform || ranges::count(active, n) > 0; });
+            for (const ActiveUniform* uniform : inactive) told.insert(uniform->name);
+            add_parts(row, linked, inactive);
+        }
+        for (const glsl::Settled& settled : linked.settled) told.insert(settled.name);
+        row.uniform = row.value = "";
+        row.span = scene_.programs[program].span;
+        add_parts(row, linked, off([&](const std::string& n) {
+                      return told.contains(n) || ranges::count(linked.active, n, &ActiveUniform::name) > 0;
+                  }));
+    }
+
+    void add_parts(Explanation::SwitchedOff row, const runtime::LinkedProgram& linked,
+                   const std::vector<const ActiveUniform*>& inactive) {
+        std::vector<runtime::SamplerUniform> samplers;
+        bool light = false;
+        for (const ActiveUniform* uniform : inactive) {
+            light = light || (uniform->system && uniform->name == "uHarmonics");
+            if (uniform->name.starts_with("snell_")) continue;  // matrices and the like
+            row.parts.push_back({uniform->type == ValueType::sampler ? Kind::sampler : Kind::uniform,
+                                 fmt::format("{} {}", uniform->glsl_type, uniform->name),
+                                 linked.functions_naming(uniform->name)});
+            for (const runtime::SamplerUniform& sampler : impl_.dormant[row.program])
+                if (sampler.name == uniform->name) samplers.push_back(sampler);
+        }
+        Reach all;
+        for (const Draw& draw : scene_.draws) {
+            if (draw.program != row.program) continue;
+            reach(all, draw, samplers);
+            if (light) reach(all, impl_.light_of(draw));
+        }
+        for (const Index index : all.textures) {
+            const Texture& texture = scene_.textures[index];
+            if (impl_.textures.asked(index)) continue;
+            row.parts.push_back({kind_of(texture), title_of(texture), {}, {}, 0, texture.span});
+            for (const FileName& file : texture.files) row.parts.back().files.push_back(file.name);
+            if (!texture.files.empty()) row.parts.back().bytes = file_bytes(scene_, index, *impl_.files);
+        }
+        for (const int dimensions : all.noise)
+            if (!impl_.textures.find_noise(dimensions))
+                row.parts.push_back({Kind::noise, fmt::format("Noise{}", dimensions)});
+        for (const Index pass : all.passes)
+            row.parts.push_back({Kind::pass, name_of(scene_.passes[pass]), {}, {}, 0, scene_.passes[pass].span});
+        if (!row.parts.empty()) result_.push_back(std::move(row));
+    }
+
+    const Runtime::Impl& impl_;
+    const Scene& scene_;
+    std::vector<Explanation::SwitchedOff> result_;
+};
 
 }  // namespace
 
@@ -55,7 +209,7 @@ public:
         meshes();
         programs();
         passes();
-        result_.switched_off = runtime::switched_off(impl_);
+        result_.switched_off = SwitchedOffFinder(impl_).all();
         unused();
         unpaid();
         redraw();
@@ -304,174 +458,3 @@ private:
 Explanation Runtime::explain() const { return Explainer(*impl_).explain(); }
 
 }  // namespace snell
-
-namespace snell::runtime {
-
-using Kind = Explanation::Kind;
-
-namespace {
-
-std::string_view last_part(std::string_view path) { return path.substr(path.rfind('/') + 1); }
-
-}  // namespace
-
-std::string statement_of(const Texture& texture) {
-    constexpr std::array<std::string_view, 4> targets{"Texture1D", "Texture2D", "Texture3D", "CubeMap"};
-    constexpr std::array<std::string_view, 3> computed{"", "Irradiance", "Prefilter"};
-    const bool made = texture.computed != Computed::no;
-    return fmt::format(
-        "{} {}",
-        made ? computed[static_cast<std::size_t>(texture.computed)] : targets[static_cast<std::size_t>(texture.target)],
-        texture.unit);
-}
-
-Explanation::Kind kind_of(const Texture& texture) {
-    return texture.computed != Computed::no        ? Kind::computed
-           : texture.files.empty()                 ? Kind::empty_texture
-           : texture.target == TextureTarget::cube ? Kind::cube_map
-                                                   : Kind::image;
-}
-
-std::string title_of(const Texture& texture) {
-    const std::string_view file = texture.files.empty() ? "" : last_part(texture.files[0].name);
-    return fmt::format("{}{}{}", statement_of(texture), file.empty() ? "" : " ", file);
-}
-
-std::string name_of(const Pass& pass) {
-    return std::array{"window", "RenderToTexture", "RenderToCube"}[static_cast<std::size_t>(pass.kind)];
-}
-
-namespace {
-
-std::string value_text(const std::vector<double>& values, ValueType type) {
-    std::vector<std::string> words;
-    for (const double value : values)
-        words.push_back(type == ValueType::bool_ ? (value != 0 ? "true" : "false")
-                                                 : text_of::number(value, value == std::round(value)));
-    return words.size() == 1 ? words[0] : fmt::format("({})", fmt::join(words, ", "));
-}
-
-class Finder {
-public:
-    explicit Finder(const Runtime::Impl& impl) : impl_(impl), scene_(impl.plan.scene) {}
-
-    std::vector<Explanation::SwitchedOff> all() {
-        std::set<Index> told;
-        for (Index pass = 0; pass < impl_.passes.size(); ++pass)
-            for (const Draw* draw : programmed(scene_.passes[pass])) {
-                const auto* linked = impl_.passes[pass].live ? impl_.program_of(pass, *draw) : nullptr;
-                if (linked && !linked->settled.empty() && told.insert(draw->program).second)
-                    of_program(draw->program, *linked);
-            }
-        return std::move(result_);
-    }
-
-private:
-    // What draws would read.
-    struct Reach {
-        std::set<Index> textures, passes;
-        std::set<int> noise;
-    };
-
-    std::vector<const Draw*> programmed(const Pass& pass) const {
-        std::vector<const Draw*> draws;
-        for (const Item& item : pass.items)
-            if (item.kind == Item::Kind::draw && scene_.draws[item.index].program != none)
-                draws.push_back(&scene_.draws[item.index]);
-        return draws;
-    }
-
-    void reach(Reach& all, const Draw& draw, std::span<const runtime::SamplerUniform> samplers) const {
-        for (const runtime::Sampled& sampled : impl_.sampled_by(draw, samplers))
-            if (sampled.noise) all.noise.insert(sampled.noise);
-        for (const Index texture : impl_.read_by(draw, samplers)) reach(all, texture);
-    }
-
-    void reach(Reach& all, Index index) const {
-        const Index texture = index == none ? none : impl_.textures.first(index);
-        if (texture == none || !all.textures.insert(texture).second) return;
-        const auto is_it = [&](Index drawn) { return drawn != none && impl_.textures.first(drawn) == texture; };
-        for (Index i = 0; i < impl_.passes.size(); ++i) {
-            const Pass& pass = scene_.passes[i];
-            if (impl_.passes[i].live || ranges::none_of(pass.textures, is_it) || !all.passes.insert(i).second) continue;
-            for (const Draw* draw : programmed(pass)) {
-                reach(all, *draw, impl_.dormant[draw->program]);
-                if (const auto* linked = impl_.program_of(i, *draw)) reach(all, *draw, linked->samplers);
-            }
-        }
-    }
-
-    void of_program(Index program, const runtime::LinkedProgram& linked) {
-        std::set<std::string_view> told;  // of single values, and these themselves
-        const auto off = [&](const auto& stays) {
-            std::vector<const ActiveUniform*> inactive;
-            for (const ActiveUniform& uniform : impl_.active[program])
-                if (!stays(uniform.name) && !(linked.general && ranges::count(*linked.general, uniform.name) == 0))
-                    inactive.push_back(&uniform);
-            return inactive;
-        };
-        Explanation::SwitchedOff row{program, scene_.programs[program].name, "", "", {}, {}, {}};
-        for (std::size_t i = 0; i < linked.alone.size(); ++i) {
-            const auto& [name, values] = linked.settled[i];
-            const Control* control = impl_.given.find(program, name);
-            row.uniform = name;
-            row.value = value_text(values, control ? control->type : ValueType::float_);
-            row.span = control && control->listed ? std::optional(control->span) : std::nullopt;
-            const auto& active = linked.alone[i];
-            const auto inactive =
-                off([&](const std::string& n) { return n == row.uniform || ranges::count(active, n) > 0; });
-            for (const ActiveUniform* uniform : inactive) told.insert(uniform->name);
-            add_parts(row, linked, inactive);
-        }
-        for (const glsl::Settled& settled : linked.settled) told.insert(settled.name);
-        row.uniform = row.value = "";
-        row.span = scene_.programs[program].span;
-        add_parts(row, linked, off([&](const std::string& n) {
-                      return told.contains(n) || ranges::count(linked.active, n, &ActiveUniform::name) > 0;
-                  }));
-    }
-
-    void add_parts(Explanation::SwitchedOff row, const runtime::LinkedProgram& linked,
-                   const std::vector<const ActiveUniform*>& inactive) {
-        std::vector<runtime::SamplerUniform> samplers;
-        bool light = false;
-        for (const ActiveUniform* uniform : inactive) {
-            light = light || (uniform->system && uniform->name == "uHarmonics");
-            if (uniform->name.starts_with("snell_")) continue;  // matrices and the like
-            row.parts.push_back({uniform->type == ValueType::sampler ? Kind::sampler : Kind::uniform,
-                                 fmt::format("{} {}", uniform->glsl_type, uniform->name),
-                                 linked.functions_naming(uniform->name)});
-            for (const runtime::SamplerUniform& sampler : impl_.dormant[row.program])
-                if (sampler.name == uniform->name) samplers.push_back(sampler);
-        }
-        Reach all;
-        for (const Draw& draw : scene_.draws) {
-            if (draw.program != row.program) continue;
-            reach(all, draw, samplers);
-            if (light) reach(all, impl_.light_of(draw));
-        }
-        for (const Index index : all.textures) {
-            const Texture& texture = scene_.textures[index];
-            if (impl_.textures.asked(index)) continue;
-            row.parts.push_back({kind_of(texture), title_of(texture), {}, {}, 0, texture.span});
-            for (const FileName& file : texture.files) row.parts.back().files.push_back(file.name);
-            if (!texture.files.empty()) row.parts.back().bytes = file_bytes(scene_, index, *impl_.files);
-        }
-        for (const int dimensions : all.noise)
-            if (!impl_.textures.find_noise(dimensions))
-                row.parts.push_back({Kind::noise, fmt::format("Noise{}", dimensions)});
-        for (const Index pass : all.passes)
-            row.parts.push_back({Kind::pass, name_of(scene_.passes[pass]), {}, {}, 0, scene_.passes[pass].span});
-        if (!row.parts.empty()) result_.push_back(std::move(row));
-    }
-
-    const Runtime::Impl& impl_;
-    const Scene& scene_;
-    std::vector<Explanation::SwitchedOff> result_;
-};
-
-}  // namespace
-
-std::vector<Explanation::SwitchedOff> switched_off(const Runtime::Impl& impl) { return Finder(impl).all(); }
-
-}  // namespace snell::runtime
