@@ -161,9 +161,8 @@ inline constexpr std::string_view stage_vertices = "snell_StageVertices", stage_
                                   stage_range = "snell_StageRange", stage_patches = "snell_StagePatches";
 inline constexpr int stage_attributes = 5;
 
-// llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left; the last
-// one may be such an end.
-inline constexpr int most_rounds = 65536;
+// On OpenGL ES, the loops of which nobody knows how often they go round are left after so many rounds, together.
+inline constexpr int most_rounds = 1 << 18;
 
 struct Translation {
     bool ok = false;  // false: diagnostics hold at least one error
@@ -186,8 +185,8 @@ struct Translation {
     // that shows none of them changes nothing; empty otherwise. A scene may set a uniform of that name.
     std::string placed_by;
     bool reads_place = false;  // the fragment shader names gl_FragCoord
-    // OpenGL ES: there are loops of which nothing shows that they end soon. They are left after most_rounds.
-    bool counts_rounds = false;
+    // OpenGL ES: its loops go round thousands of times, or nobody knows how often. They are left after most_rounds.
+    bool long_loops = false;
 };
 
 // Translates all stages of one program together: interfaces between them are made to match.

@@ -22,6 +22,10 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr std::string_view go_round_text = "the loops of this shader go round ";
 constexpr std::string_view may_go_round_text = "the loops of this shader may go round ";  // at the end of a slider
 
+// llvmpipe counts the rounds of all loops of a shader together, and one more each time that a loop is left; the last
+// one may be such an end.
+constexpr double most_rounds = 65536;
+
 std::string rounds_text(double rounds) {
     if (rounds >= very_many && rounds != endless) return "more than a million times";
     return rounds == endless ? "for ever" : fmt::format("at least {:.0f} times", rounds);
@@ -190,13 +194,13 @@ bool may_not_end(const Diagnostics& found) {
 void Walker::go_round(std::optional<double> rounds, int first, int last) {
     if (!rounds || state_.dead || (rounds == endless && (perhaps_ > 0 || state_.returned))) return;
     rounds_ += weight_ * (*rounds + 1);
-    if (rounds_ <= glsl::most_rounds || told_rounds_) return;
+    if (rounds_ <= most_rounds || told_rounds_) return;
     told_rounds_ = true;
     last = std::min(last, static_cast<int>(u_.tokens.size()) - 1);  // the text may end within the header
     report(Rule::many_rounds, first, last,
            std::string(slides_ || perhaps_ > 0 ? may_go_round_text : go_round_text) + rounds_text(rounds_) +
-               ": without a GPU, Mesa's llvmpipe ends them after 65535, as pages do, and the picture is what they had "
-               "by then");
+               ": without a GPU, Mesa's llvmpipe ends them after 65535 (pages: 262143), and the picture is what they "
+               "had by then");
 }
 
 }  // namespace snell::lint

@@ -68,8 +68,8 @@ const Controls& Runtime::controls() const { return impl_->given; }
 const Diagnostics& Runtime::value_problems() const { return impl_->value_problems; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
-bool Runtime::counts_rounds() const {
-    return ranges::any_of(impl_->programs, [](const auto& each) { return each.second && each.second->counts_rounds; });
+bool Runtime::long_loops() const {
+    return ranges::any_of(impl_->programs, [](const auto& each) { return each.second && each.second->long_loops; });
 }
 bool Runtime::sampled(Index texture) const {
     return impl_->textures.asked(texture) || impl_->dormant_textures.contains(impl_->textures.first(texture));

@@ -109,8 +109,8 @@ public:
     // Some drawn program reads Timer or uTime: every moment is another picture.
     bool animated() const;
     bool uses_mouse() const;
-    // Some program has loops of which nothing shows that they end soon: glsl::Translation::counts_rounds.
-    bool counts_rounds() const;
+    // As glsl::Translation's, of some program.
+    bool long_loops() const;
     // Something that is drawn reads the texture (Scene::textures), directly or by what is computed from it.
     bool sampled(Index texture) const;
 

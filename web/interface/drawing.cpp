@@ -97,6 +97,30 @@ bool Drawing::settle(OpenScene& scene, const Moment& moment) {
         {canvas_.framebuffer(), moment.width, moment.height});
 }
 
+double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
+    constexpr int largest = 64, least = 4;  // divisors of width and height
+    constexpr double tells = 300,
+                     ends = 2000;  // milliseconds of a small picture: it is believed; it is not drawn again
+    double whole = 0;
+    for (int divisor = largest; divisor >= least; divisor /= 2) {
+        Moment small = moment;
+        small.width = std::max(moment.width / divisor, 1);
+        small.height = std::max(moment.height / divisor, 1);
+        const double share = static_cast<double>(small.width) * small.height / moment.width / moment.height;
+        double milliseconds = 0;
+        for (int n = 0; n < 2; ++n) {  // the first one waits for the compiler, too
+            std::string error;
+            const double began = now();
+            picture(scene, small, 1, error);
+            milliseconds = (now() - began) * 1e3;
+            if (milliseconds > ends || milliseconds <= enough * share) break;
+        }
+        whole = milliseconds / share;
+        if (whole <= enough || milliseconds > tells) break;
+    }
+    return whole;
+}
+
 std::vector<std::byte> Drawing::picture(OpenScene& scene, const Moment& moment, int samples, std::string& error) {
     const app::PictureSize size{moment.width, moment.height, samples};
     const app::Tiling tiling = app::tile(size, scene.document()->files->limits(), caps_);

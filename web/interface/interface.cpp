@@ -351,6 +351,13 @@ EMSCRIPTEN_KEEPALIVE int snell_settle(Engine* engine, double time, int width, in
     return engine->draws() && engine->drawing.settle(engine->scene, {time, width, height, split, mouse_x, mouse_y});
 }
 
+// See Drawing::foresee.
+EMSCRIPTEN_KEEPALIVE double snell_foresee(Engine* engine, double time, int width, int height, double split,
+                                          double mouse_x, double mouse_y, double enough) {
+    if (!engine->draws()) return 0;
+    return engine->drawing.foresee(engine->scene, {time, width, height, split, mouse_x, mouse_y}, enough);
+}
+
 // Returns "" or the error; snell_bytes has the picture.
 EMSCRIPTEN_KEEPALIVE const char* snell_picture(Engine* engine, double time, int width, int height, double split,
                                                double mouse_x, double mouse_y, int samples) {
@@ -373,16 +380,11 @@ EMSCRIPTEN_KEEPALIVE const char* snell_preview(Engine* engine, const char* path,
     const Diagnostics& found = reading.shown ? scene.document()->diagnostics : reading.refused->diagnostics;
     std::string error;
     if (const Diagnostic* const first = first_error(found)) error = first->message;
-    if (error.empty() && scene.document()->runtime->counts_rounds()) {
-        // The first one of two waits for the compiler, too.
-        double began = 0;
-        for (int n = 0; n < 2; ++n) {
-            began = emscripten_get_now();
-            engine->drawing.picture(scene, {0, width / 16, height / 16, 1, 0, 0}, 1, error);
-        }
-        if ((emscripten_get_now() - began) * 16 * 16 > longest_preview) error = "a picture of it takes long";
-    }
-    if (error.empty()) engine->bytes = engine->drawing.picture(scene, {0, width, height, 1, 0, 0}, 4, error);
+    const Moment moment{0, width, height, 1, 0, 0};
+    if (error.empty() && scene.document()->runtime->long_loops() &&
+        engine->drawing.foresee(scene, moment, longest_preview) > longest_preview)
+        error = "a picture of it takes long";
+    if (error.empty()) engine->bytes = engine->drawing.picture(scene, moment, 4, error);
     return engine->say(std::move(error));
 }
 

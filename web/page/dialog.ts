@@ -23,7 +23,7 @@ export interface Choice<T> {
 }
 
 // Resolves with the choice, or undefined after Escape or Cancel.
-export function ask<T>(title: string, text: string, choices: readonly Choice<T>[]): Promise<T | undefined> {
+export function ask<T>(title: string, text: string, choices: readonly Choice<T>[], signal?: AbortSignal): Promise<T | undefined> {
     return new Promise((resolve) => {
         let chosen: T | undefined;
         const choose = (value: T | undefined) => {
@@ -43,6 +43,7 @@ export function ask<T>(title: string, text: string, choices: readonly Choice<T>[
             dialog.remove();
             resolve(chosen);
         });
+        signal?.addEventListener('abort', () => choose(undefined));
         document.body.append(dialog);
         dialog.showModal();
     });

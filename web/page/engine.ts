@@ -64,8 +64,8 @@ export interface Shown {
     // It changes with time; with the mouse.
     animated: boolean;
     usesMouse: boolean;
-    // It has loops that may go on and on; they are left after 65,535 rounds, which can take long.
-    countsRounds: boolean;
+    // Its loops go round thousands of times, or nobody knows how often.
+    longLoops: boolean;
     // The period of the scene's own timer, in seconds, where it has one; 0: none.
     period: number;
     // Paths of the files that were read.
@@ -190,6 +190,8 @@ export interface Engine {
     drew(milliseconds: number): number;
     // Compiles one more program for the values as they are. False: nothing is left to do.
     settle(frame: Frame): boolean;
+    // About how many milliseconds the picture takes, found by small ones, as far as it may be more than `enough`.
+    foresee(frame: Frame, enough: number): number;
     // RGBA bytes, the top row first, of any size that fits into the limits; a message otherwise.
     picture(frame: Frame, samples: number): Uint8ClampedArray | string;
 

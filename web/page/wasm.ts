@@ -52,6 +52,7 @@ interface Program {
     _snell_draw(engine: Pointer, ...moment: [...Moment, number]): Pointer;
     _snell_drew(engine: Pointer, milliseconds: number): number;
     _snell_settle(engine: Pointer, ...moment: Moment): number;
+    _snell_foresee(engine: Pointer, ...moment: [...Moment, number]): number;
     _snell_picture(engine: Pointer, ...moment: [...Moment, number]): Pointer;
     _snell_preview(engine: Pointer, scene: Pointer, width: number, height: number): Pointer;
     _snell_decode(engine: Pointer, name: Pointer, bytes: Pointer, size: number): Pointer;
@@ -240,6 +241,10 @@ export class WasmEngine implements Engine {
 
     settle(frame: Frame): boolean {
         return this.program._snell_settle(this.engine, ...moment(frame)) !== 0;
+    }
+
+    foresee(frame: Frame, enough: number): number {
+        return this.program._snell_foresee(this.engine, ...moment(frame), enough);
     }
 
     picture(frame: Frame, samples: number): Uint8ClampedArray | string {

@@ -15,6 +15,7 @@ namespace snell::glsl {
 
 namespace {
 
+constexpr double many = 4096;  // in all loops of a stage
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 class Rounds {
@@ -23,9 +24,9 @@ public:
 
     bool run() {
         if (mentions(u_, "snell_Rounds")) return true;  // translated before
-        of_function("main");
+        const double rounds = of_function("main");
         if (counts_) declare_once(u_, "snell_Rounds", "highp int snell_Rounds = 0;");
-        return counts_;
+        return counts_ || rounds >= many;
     }
 
 private:
@@ -143,6 +144,6 @@ private:
 
 }  // namespace
 
-bool count_rounds(Unit& unit) { return unit.tree && Rounds(unit).run(); }
+bool bound_loops(Unit& unit) { return unit.tree && Rounds(unit).run(); }
 
 }  // namespace snell::glsl

@@ -179,7 +179,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});
         declare_functions(program, u);
         copy_assigned(program, u);
-        out.counts_rounds = count_rounds(u) || out.counts_rounds;
+        out.long_loops = bound_loops(u) || out.long_loops;
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);

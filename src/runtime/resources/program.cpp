@@ -255,7 +255,7 @@ std::shared_ptr<LinkedProgram> link_program(const LinkRequest& request, Diagnost
     linked->in_place = !translation.placed_by.empty() &&
                        ranges::count(request.program.uniforms, translation.placed_by, &UniformValue::name) == 0;
     linked->reads_place = translation.reads_place;
-    linked->counts_rounds = translation.counts_rounds;
+    linked->long_loops = translation.long_loops;
     linked->wide = request.variant.wide;
     linked->declared = translation.declared;
     linked->settled = translation.settled;

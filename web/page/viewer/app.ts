@@ -180,7 +180,7 @@ export class Page {
                 this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${coarse ? ', coarser' : ''}`;
             },
             costs: (costs) => this.showProblems([...this.current, ...costs]),
-            goesOn: (milliseconds, divisor) => this.goesOn(milliseconds, divisor),
+            goesOn: (milliseconds, signal) => this.goesOn(milliseconds, signal),
             ticked: () => {
                 this.session.move(this.clock.time);
                 this.timebar.refresh();
@@ -267,15 +267,16 @@ export class Page {
         else this.painter?.request();
     }
 
-    private async goesOn(milliseconds: number, divisor: number): Promise<boolean> {
-        const seconds = (value: number) => `${Math.round(value / 100) / 10} s`;
-        const whole = seconds(milliseconds * divisor * divisor);
-        const text = `A picture of 1/${divisor} of the width and height took ${seconds(milliseconds)}. A whole one may take ${whole}, in which the page does not answer.`;
-        const answer = await ask('This scene takes long', text, [
+    private async goesOn(milliseconds: number, signal: AbortSignal): Promise<boolean | undefined> {
+        const seconds = `${Math.max(Math.round(milliseconds / 1000), 1)} s`;
+        const text = `A picture of it may take about ${seconds}, in which the page does not answer.`;
+        const choices = [
             { text: 'Draw it', value: true },
             { text: 'Keep it small', value: false },
-        ]);
-        return answer ?? false;
+        ];
+        const answer = await ask('This scene takes long', text, choices, signal);
+        if (answer === undefined && !signal.aborted) this.layout.status.textContent = `not drawn: it may take ${seconds}`;
+        return answer;
     }
 
     // The texts can be edited and saved without the program, and the next edit starts it again.
@@ -380,7 +381,7 @@ export class Page {
         clock.playing = opened.shown.animated && time === undefined && !still;
         this.openTime();
         this.divider.set(session.ladders.length > 0 ? split : undefined);
-        this.painter?.begin(opened.shown.countsRounds);
+        this.painter?.begin(opened.shown.longLoops);
     }
 
     // Time runs for sliders that move by themselves, too.
@@ -473,7 +474,7 @@ export class Page {
         this.session.accept(opened);
         if (!opened.shown) return this.failOpening(opened);
         if (!before || !this.layout.cover.hidden) this.cover();
-        this.painter?.edited(opened.shown.countsRounds);
+        this.painter?.edited(opened.shown.longLoops);
         if (!before || before.animated !== opened.shown.animated) this.clock.playing = opened.shown.animated;
         this.openTime();
         this.refresh();

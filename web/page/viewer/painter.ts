@@ -14,17 +14,20 @@ export interface PainterOptions {
     costs(costs: Problem[]): void;
     // The clock moved.
     ticked(): void;
-    // A small picture took so long that whole ones would stop the page: whether they are drawn all the same.
-    // `divisor`: of width and height.
-    goesOn(milliseconds: number, divisor: number): Promise<boolean>;
+    // A picture will take about so long, in which the page does not answer: whether it is drawn all the same; false: a
+    // small one; undefined: none until something changes. `signal`: the question is no longer one.
+    goesOn(milliseconds: number, signal: AbortSignal): Promise<boolean | undefined>;
 }
 
 const longestSide = 8192;
-// The first picture of a scene has so much less width and height, and that of one whose loops may go on and on.
+// The first picture of a scene has so much less width and height.
 const preview = 4;
-const smallest = 16;
-// Milliseconds of such a picture after which the author is asked.
+// Milliseconds of such a picture after which the author is asked, and of a whole one that is foreseen.
 const tooLong = 2000;
+const longest = 5000;
+// Milliseconds between looks ahead while something moves, and of a picture that was to be small.
+const lookAhead = 250;
+const short = 500;
 // Milliseconds after which a picture counts as finished, because a lost context never says so.
 const longestWait = 5000;
 // Milliseconds without a picture before the engine makes later ones faster.
@@ -43,6 +46,13 @@ export class Painter {
     // No picture has more pixels.
     private least = 1;
     private waits = false;
+    private question: AbortController | undefined;
+    // Another value may make the picture take for ever: it is drawn very small before, and timed.
+    private risky = false;
+    private lookedAhead = -Infinity;
+    private foreseen = false; // as things are now
+    // Milliseconds that the author wants to wait.
+    private accepted = longest;
     // The same first picture is drawn a second time.
     private again = false;
     // It is being drawn.
@@ -89,18 +99,20 @@ export class Painter {
         return { time: this.with_.clock.time, width, height, split: this.split, mouse: this.mouse };
     }
 
-    // The next picture is that of another scene. Nobody knows how long it takes, so a small one comes first; `risky`: a
-    // very small one.
-    begin(risky = false): void {
-        this.first = risky ? smallest : preview;
-        this.least = 1;
-        this.request();
+    // The next picture is that of another scene. Nobody knows how long it takes, so a small one comes first.
+    begin(risky: boolean): void {
+        this.first = preview;
+        this.edited(risky);
     }
 
-    // Its text is another one, which may be as slow as the one before was, or as quick as others.
+    // The text is another one: what was found out about the one before says nothing of it.
     edited(risky: boolean): void {
-        if (risky || this.least > 1) this.begin(risky);
-        else this.request();
+        this.question?.abort();
+        this.risky = risky;
+        this.lookedAhead = -Infinity;
+        this.accepted = longest;
+        this.least = 1;
+        this.request();
     }
 
     // Whether the graphics have something to do.
@@ -109,8 +121,14 @@ export class Painter {
     }
 
     request(drag = false): void {
-        this.dirty = true;
+        this.foreseen = false;
         this.dragged ||= drag;
+        this.redo();
+    }
+
+    // The same picture again, perhaps of another size.
+    private redo(): void {
+        this.dirty = true;
         this.unsettled = true;
         this.schedule();
     }
@@ -154,10 +172,10 @@ export class Painter {
         if (this.drawsFirst) {
             if (this.slow(milliseconds)) return false;
             performance.mark('First picture');
-            if (this.divisor > this.least) this.request();
+            if (this.divisor > this.least) this.redo();
         } else {
             const due = this.with_.engine.drew(milliseconds);
-            if (due < Infinity) this.sharp = setTimeout(() => this.request(), due + 1);
+            if (due < Infinity) this.sharp = setTimeout(() => this.redo(), due + 1);
             this.with_.drawn(milliseconds, this.divisor > 1 || due < Infinity);
         }
         return true;
@@ -167,41 +185,59 @@ export class Painter {
     private slow(milliseconds: number): boolean {
         const { divisor, again } = this;
         this.again = false;
-        // The next one has sixteen times as many pixels.
-        const least = divisor === smallest ? (tooLong * preview ** 2) / smallest ** 2 : tooLong;
-        if (divisor === smallest && milliseconds < least) this.first = preview;
-        if (milliseconds < least) return false;
+        if (milliseconds < tooLong) return false;
         // The first picture of all waits for the compiler, too: the same one again does not.
         if (!again && milliseconds < longestWait) {
             this.again = true;
             this.first = divisor;
-            this.request();
+            this.redo();
             return true;
         }
-        this.waits = true;
-        void this.with_.goesOn(milliseconds, divisor).then((goes) => {
-            this.waits = false;
-            this.least = goes ? 1 : divisor;
-            this.with_.drawn(milliseconds, true);
-            if (goes) this.request();
-        });
+        this.ask(milliseconds * divisor ** 2);
         return true;
+    }
+
+    private ask(milliseconds: number): void {
+        const { signal } = (this.question = new AbortController());
+        this.waits = true;
+        void this.with_.goesOn(milliseconds, signal).then((goes) => {
+            this.waits = false;
+            if (signal.aborted) return this.schedule();
+            if (goes === undefined) return void (this.with_.clock.playing = false);
+            this.accepted = goes ? Math.max(this.accepted, 2 * milliseconds) : this.accepted;
+            this.least = 1;
+            while (!goes && milliseconds / this.least ** 2 > short) this.least *= 2;
+            this.redo();
+        });
+    }
+
+    // Whether the picture is drawn now; the author may have been asked instead.
+    private looksAhead(moving: boolean): boolean {
+        if (!this.risky || this.foreseen || (moving && performance.now() - this.lookedAhead < lookAhead)) return true;
+        const milliseconds = this.with_.engine.foresee(this.small(this.least), this.accepted);
+        this.lookedAhead = performance.now();
+        this.foreseen = milliseconds <= this.accepted;
+        if (!this.foreseen) this.ask(milliseconds * this.least ** 2);
+        return this.foreseen;
+    }
+
+    private small(divisor: number): Frame {
+        const { width, height, mouse, ...rest } = this.frame();
+        const side = (pixels: number) => Math.max(Math.round(pixels / divisor), 1);
+        return { ...rest, width: side(width), height: side(height), mouse: mouse && [mouse[0] / divisor, mouse[1] / divisor] };
     }
 
     private draw(): void {
         clearTimeout(this.settling);
         clearTimeout(this.sharp);
         const { dragged } = this;
+        this.dirty = this.dragged = false;
+        if (!this.looksAhead(dragged || this.with_.clock.playing)) return;
         this.divisor = Math.max(this.first, this.least);
         this.drawsFirst = this.first > 0;
         this.first = 0;
-        this.dirty = this.dragged = false;
-        const frame = this.frame();
-        frame.width = Math.max(Math.round(frame.width / this.divisor), 1);
-        frame.height = Math.max(Math.round(frame.height / this.divisor), 1);
-        if (frame.mouse) frame.mouse = [frame.mouse[0] / this.divisor, frame.mouse[1] / this.divisor];
         this.began = performance.now();
-        const costs = this.with_.engine.draw(frame, dragged);
+        const costs = this.with_.engine.draw(this.small(this.divisor), dragged);
         if (costs.length > 0) this.with_.costs(costs);
         ++this.frames;
         const gl = this.with_.canvas.getContext('webgl2');
