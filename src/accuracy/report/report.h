@@ -72,8 +72,7 @@ std::string psnr_text(double psnr);
 // What errors are of, in a sentence.
 inline constexpr std::string_view errors_are =
     "Errors are of light: display values decoded by the curve of sRGB, before quantisation. Those of the display "
-    "values "
-    "themselves are given next to them. 'Alone' compares with the last rung at the scene's own knobs.";
+    "values themselves are given next to them. 'Alone' compares with the last rung at the scene's own knobs.";
 
 // Its rungs; the scene's own is marked.
 content::Table rung_table(const SweepResult& sweep);

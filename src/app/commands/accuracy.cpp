@@ -470,8 +470,8 @@ Run add_accuracy(CLI::App& command) {
     add_access(command, options->access);
     add_timeout(command, options->timeout, "one step of the measurement, or for reading a scene");
     command.footer(
-        "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
-        "ends the program at once.");
+        "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one ends "
+        "the program at once.");
     command.add_option("SCENE", options->scenes, "one report of all of them");
     command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
         ->expected(2, 26)
@@ -486,10 +486,9 @@ Run add_accuracy(CLI::App& command) {
         ->check(CLI::IsMember({"reference", "scene", "lattice"}));
     add_size(command, options->size, "WIDTHxHEIGHT (default: that of the first scene)");
     command
-        .add_option(
-            "--reps", options->rounds,
-            "rounds, in each of which every rung is timed once, three times as many for found rungs; fewer if the "
-            "budget is too small")
+        .add_option("--reps", options->rounds,
+                    "rounds, in each of which every rung is timed once, three times as many for found rungs; fewer if "
+                    "the budget is too small")
         ->check(CLI::Range(3, 10000));
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
         ->check(CLI::Range(1.0, 1e6))

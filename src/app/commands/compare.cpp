@@ -397,10 +397,9 @@ Exit compare(CompareOptions options) {
 Run add_compare(CLI::App& command) {
     auto options = std::make_shared<CompareOptions>();
     command.add_option("PICTURE", options->picture, "a picture, a scene, or a folder of them")->required();
-    command.add_option(
-        "REFERENCE", options->references,
-        "picture, scene or folder to compare with; of several, the nearest counts. Names pair the files of folders. "
-        "Without it, two --set are two states of the scene");
+    command.add_option("REFERENCE", options->references,
+                       "picture, scene or folder to compare with; of several, the nearest counts. Names pair the files "
+                       "of folders. Without it, two --set are two states of the scene");
     command
         .add_option("-o,--output", options->output,
                     "write FLIP's map of the differences; for folders, a folder of maps")

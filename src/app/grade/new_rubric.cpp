@@ -129,8 +129,7 @@ private:
         if (all.empty()) return {};
         std::string text =
             "\n# Type of each, and, if it has a slider, the range that the slider must reach at least.\n[[item]]\nname "
-            "= "
-            "\"Uniforms\"\npoints = 2\n[item.uniforms]\n";
+            "= \"Uniforms\"\npoints = 2\n[item.uniforms]\n";
         for (const snell::Control* control : all)
             text +=
                 fmt::format("{} = {}\n", toml_key(control->name),

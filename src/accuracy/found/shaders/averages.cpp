@@ -160,11 +160,11 @@ private:
                                 type)},
             insertion(span, span.begin, "snellSeen("),
             insertion(span, span.end, ")")};
-        add_behind_main(s_,
-                        fmt::format("{} = snellCount > 0. ? vec4({} / snellCount, {} / snellCount, {:.1f}, 1.) : "
-                                    "vec4(0.);",
-                                    output, component(channel), component(channel + 1), probe_mark),
-                        edits);
+        add_behind_main(
+            s_,
+            fmt::format("{} = snellCount > 0. ? vec4({} / snellCount, {} / snellCount, {:.1f}, 1.) : vec4(0.);", output,
+                        component(channel), component(channel + 1), probe_mark),
+            edits);
         return edits;
     }
 

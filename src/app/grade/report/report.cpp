@@ -449,11 +449,11 @@ std::string alike_page(const Grades& grades, const Alike& alike) {
     const std::string about =
         equal ? fmt::format("{}. The first two are shown.", shown_text(names_text(grades, alike, ", ")))
               : fmt::format("{:.0f} % of the shorter one's fingerprints are in the other one, too.", 100 * alike.share);
-    return page_of(title, fmt::format("<h1>{}</h1>\n<p>{} Marked lines hold what they have in common. This is a hint "
-                                      "for a person to look at. <a href=\"../index.html\">Results</a></p>\n<div "
-                                      "class=\"sides\">{}{}</div>\n",
-                                      shown_text(title), about, side(grades.all[alike.who[0]], alike),
-                                      side(grades.all[alike.who[1]], alike)));
+    return page_of(
+        title, fmt::format("<h1>{}</h1>\n<p>{} Marked lines hold what they have in common. This is a hint for a person "
+                           "to look at. <a href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
+                           shown_text(title), about, side(grades.all[alike.who[0]], alike),
+                           side(grades.all[alike.who[1]], alike)));
 }
 
 std::set<std::uint64_t> handed_out(const Rubric& rubric) {
