@@ -82,6 +82,7 @@ std::string header_text(const Report& report);
 
 // A row of column names, then one row for each rung.
 std::string csv_text(const Report& report);
+inline constexpr int report_schema = 3;  // of this JSON
 std::string json_text(const Report& report);
 // A single file that needs no network; its plots are inline SVG. It begins with `slide`, an element of HTML.
 std::string html_text(const Report& report, std::string_view slide = {});
