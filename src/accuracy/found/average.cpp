@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/shaders/shader.h"
 #include "src/accuracy/found/trial.h"
 
 namespace snell::accuracy {

@@ -96,6 +96,9 @@ std::map<std::string, std::string> changed_texts(std::span<const Change* const> 
 // bytes.
 std::string excerpt(std::string_view text, std::size_t most = 60);
 
+// A float as GLSL writes it.
+std::string real_literal(double value, int digits = 9);
+
 // What a rung with the change is called: a few words, such as "8 slices" or "uRoom as its mean". Two changes may have
 // the same.
 std::string words(const Change& change);

@@ -398,12 +398,6 @@ bool closed(const Node& node) {
            node.form == Form::call || node.form == Form::built_in;
 }
 
-std::string real_literal(double value, int digits) {
-    std::string text = fmt::format("{:.{}g}", value, digits);
-    if (text.find_first_of(".e") == std::string::npos) text += '.';
-    return text;
-}
-
 std::string literal(double value, const glsl::Type& type) {
     if (type.base == glsl::Base::integer) return fmt::format("{:.0f}", value);
     if (type.base == glsl::Base::uinteger) return fmt::format("{:.0f}u", value);

@@ -220,7 +220,6 @@ inline Edit after(const Span& at, std::string text) { return insertion(at, at.en
 bool closed(const glsl::Node& node);
 // A number as GLSL writes it for the type: 32, 32u, 32.
 std::string literal(double value, const glsl::Type& type);
-std::string real_literal(double value, int digits = 9);
 
 // How a stage declares a varying: by `direction`, in or out, or as old shaders do.
 std::string_view varying_word(const Shader& shader, std::string_view direction);
