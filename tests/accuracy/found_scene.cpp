@@ -26,7 +26,11 @@ std::vector<std::string> Found::after(ChangeKind kind) const {
 std::string Found::text(ChangeKind kind, std::size_t n, std::string_view file) const {
     const Change* change = at(kind, n);
     if (!change) return "";
-    for (const auto& [path, text] : changed_texts(std::span(&change, 1), sources))
+    std::string error;  // as everybody gets the text: by the change's number
+    const auto chosen = choose_changes(std::to_string(change - changes.data() + 1), changes, sources, error);
+    if (!chosen) return error;
+    const Change* only = &chosen->changes.front();
+    for (const auto& [path, text] : changed_texts(std::span(&only, 1), sources))
         if (fs::path(path).filename() == file) return text;
     return "";
 }

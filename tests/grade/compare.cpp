@@ -50,6 +50,16 @@ TEST_F(Compare, FiguresAreThoseOfTheirDefinitions) {
     EXPECT_TRUE(figures("a.bmp a.bmp")["display"]["psnr"].is_null()) << "infinite";
 }
 
+TEST_F(Compare, NamesThatNoFileCanHaveAreSaid) {
+    grey("a.bmp", 100);
+    const std::string longer(300, 'a');  // than a file system allows
+    for (const std::string& both : {longer + " a.bmp", "a.bmp " + longer}) {
+        const Outcome refused = compare(both);
+        EXPECT_EQ(refused.status, 2) << both;
+        EXPECT_TRUE(refused.says("there is no '" + longer + "'")) << refused.output;
+    }
+}
+
 TEST_F(Compare, LimitsMakeItATest) {
     grey("a.bmp", 100);
     grey("b.bmp", 102);

@@ -238,6 +238,11 @@ TEST_F(Grade, NoPixelIsNaNOrInfinite) {
     EXPECT_EQ(points_of(items), (Points{4, 4})) << last;
     EXPECT_EQ(points_of(items, with(paint, "uKd * d", "uKd * d + 1. / uKd - 1. / .7")), (Points{4, 0})) << last;
     EXPECT_NE(last.find("pixels are infinite"), std::string::npos) << last;
+    const std::string centre = "all(lessThan(abs(gl_FragCoord.xy - vec2(32.5, 24.5)), vec2(.4)))";
+    EXPECT_EQ(points_of(items, with(paint, "uKd * d", "uKd * d + (" + centre + " ? 1. / uKd - 1. / .7 : 0.)")),
+              (Points{4, 0}));
+    EXPECT_NE(last.find("1 pixel is infinite"), std::string::npos) << last;
+    EXPECT_NE(bytes_of(at("out/index.html")).find("<p>1 submission, "), std::string::npos);
     EXPECT_EQ(points_of(items, with(paint, "uKd * d", "uKd * d / uKd")), (Points{4, 0})) << last;
     EXPECT_NE(last.find("pixels of the picture 'uKd=0' are NaN"), std::string::npos) << last;
 }

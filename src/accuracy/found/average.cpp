@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t most_pixels = 16384;
 
-std::string three_digits(double value) {
-    std::string text = fmt::format("{:.3g}", std::abs(value) < 1e-30 ? 0. : value);
-    if (text.find_first_of(".e") == std::string::npos) text += '.';
-    return text;
-}
-
 BenchSettings small_picture(const Scene& scene) {
     BenchSettings settings;
     settings.width = std::max(scene.window_size[0], 1);
@@ -84,9 +78,9 @@ void fill_averages(const Original& original, std::span<Change*> changes, const g
         std::string& text = change->edits.front().text;
         const std::string type = text.substr(0, text.find('('));
         means.resize(type == "float" ? 1 : static_cast<std::size_t>(type.back() - '0'));
-        text.clear();
-        for (const double mean : means) text += (text.empty() ? "" : ", ") + three_digits(mean);
-        text = type + "(" + text + ")";
+        std::vector<std::string> numbers;
+        for (const double mean : means) numbers.push_back(real_literal(std::abs(mean) < 1e-30 ? 0 : mean, 3));
+        text = fmt::format("{}({})", type, fmt::join(numbers, ", "));
         change->after = excerpt(text);
         change->probes.clear();
     }

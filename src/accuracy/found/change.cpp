@@ -86,6 +86,12 @@ std::map<std::string, std::string> changed_texts(std::span<const Change* const> 
     return texts;
 }
 
+std::string real_literal(double value, int digits) {
+    std::string text = fmt::format("{:.{}g}", value, digits);
+    if (text.find_first_of(".e") == std::string::npos) text += '.';
+    return text;
+}
+
 std::string excerpt(std::string_view text, std::size_t most) {
     std::string line;
     for (const char c : text) {

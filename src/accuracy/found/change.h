@@ -1,5 +1,6 @@
-// Changes of a scene's texts: what each is, by which number it is asked for, and the texts that have it. No GL; nothing
-// is written.
+// Changes of a scene's texts that snell proposes: each makes the picture cheaper or better, or leaves out what may have
+// no effect; by which number it is asked for, and the texts that have it. What is measured, shown and written is the
+// same edit of the author's own text. No GL; nothing is written.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +17,6 @@
 
 namespace snell::accuracy {
 
-// Changes of a scene's texts that snell proposes: each makes the picture cheaper or better, or leaves out what may have
-// no effect. What is measured, shown and written is the same edit of the author's own text. No GL.
-
 enum class Aim : std::uint8_t {
     cheaper,  // less work, and an error that must be worth it
     better,   // what the picture lacks, and what that costs
@@ -26,7 +24,6 @@ enum class Aim : std::uint8_t {
 };
 std::string_view name(Aim aim);
 
-// The kinds of changes.
 enum class ChangeKind : std::uint8_t {
     // cheaper, in shaders
     fewer_rounds,
@@ -99,6 +96,9 @@ std::map<std::string, std::string> changed_texts(std::span<const Change* const> 
 // bytes.
 std::string excerpt(std::string_view text, std::size_t most = 60);
 
+// A float as GLSL writes it.
+std::string real_literal(double value, int digits = 9);
+
 // What a rung with the change is called: a few words, such as "8 slices" or "uRoom as its mean". Two changes may have
 // the same.
 std::string words(const Change& change);
@@ -106,8 +106,6 @@ std::string words(const Change& change);
 // All changes that make sense for the scene, in a fixed order: by file (the scene first), place, and kind. Their
 // positions in this list are the rungs' names, from 1, in every run. `sources` gets the texts of included shaders.
 std::vector<Change> find_changes(const Plan& plan, Files& files, Sources& sources);
-
-// Found rungs by their numbers, and the texts of a scene that has them. No GL; nothing is written.
 
 // Changes that are made together, named by their numbers: "3" or "3+7".
 struct Chosen {

@@ -164,8 +164,7 @@ std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::s
         const auto number = read_whole<std::size_t>(name.substr(at, end - at));
         if (!number || *number < 1 || *number > changes.size()) {
             wrong = fmt::format(
-                "'{}' is not the number of a found rung; they go from 1 to {}, and combinations are "
-                "written as 3+7",
+                "'{}' is not the number of a found rung; they go from 1 to {}, and combinations are written as 3+7",
                 name.substr(at, end - at), changes.size());
             return std::nullopt;
         }

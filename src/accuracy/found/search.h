@@ -1,4 +1,5 @@
-// The search for found rungs: which combinations are tried, and which rungs are worth more time.
+// Finds rungs: tries every change of a scene at several places, then combinations of those that save time, and times
+// what is worth it. Needs a current context.
 #pragma once
 
 #include <array>
@@ -15,9 +16,6 @@
 #include "src/accuracy/measure.h"
 
 namespace snell::accuracy {
-
-// Finds rungs: tries every change of a scene at several places, then combinations of those that save time, and times
-// what is worth it. Needs a current context.
 
 // How much a changed picture differs from that of the scene as it is, at the same place.
 struct Difference {
@@ -180,7 +178,7 @@ FoundResult search(const Original& original, const gl::Caps& caps, const BenchSe
                    const SearchOptions& options);
 
 // Numbers of changes such as "3+7", as indices from 0; nullopt and `wrong` if it is none of `changes`, or two of them
-// are not compatible. choose_changes (apply.h) knows texts that are included several times, too.
+// are not compatible.
 std::optional<std::vector<std::size_t>> parse_rung(std::string_view name, std::span<const Change> changes,
                                                    std::string& wrong);
 std::string rung_name(std::span<const std::size_t> changes);

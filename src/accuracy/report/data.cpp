@@ -223,7 +223,7 @@ std::string csv_text(const Report& report) {
 
 std::string json_text(const Report& report) {
     const Circumstances& w = report.where;
-    Json json{{"schema", 3},
+    Json json{{"schema", report_schema},
               {"tool", w.tool},
               {"date", w.date},
               {"host",

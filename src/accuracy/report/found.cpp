@@ -248,8 +248,8 @@ std::string found_words(const FoundResult& found) {
                       refused = count_of(found, Outcome::refused) - unknown,
                       untried = count_of(found, Outcome::not_tried);
     std::string text = fmt::format(
-        "{} change{} found; {} {} tried alone, and {}, at {} places, of which {} were held out from the "
-        "search (seed {}).",
+        "{} change{} found; {} {} tried alone, and {}, at {} places, of which {} were held out from the search (seed "
+        "{}).",
         found.changes.size(), found.changes.size() == 1 ? " was" : "s were", tried, tried == 1 ? "was" : "were",
         counted(combined, "combination"), found.places.size(),
         found.places.size() - std::min(found.searched, found.places.size()), found.seed);

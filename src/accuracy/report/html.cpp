@@ -82,8 +82,8 @@ std::string pictures(const SweepResult& sweep) {
             return std::isfinite(x) == std::isfinite(y) ? factor * bright * std::abs(finite(x) - finite(y)) : 1;
         });
         out += fmt::format(
-            "<figure><img src=\"{}\" alt=\"{}\"> <img src=\"{}\" alt=\"difference of {} from the reference\">"
-            "<figcaption><b>{}</b>{}</figcaption></figure>",
+            "<figure><img src=\"{}\" alt=\"{}\"> <img src=\"{}\" alt=\"difference of {} from the "
+            "reference\"><figcaption><b>{}</b>{}</figcaption></figure>",
             shown, content::escaped(rung.name), off, content::escaped(rung.name), content::escaped(rung.name),
             fmt::format(": {}, difference × {:g}", psnr_text(rung.own.display.psnr), factor));
     }
@@ -128,17 +128,14 @@ std::string html_text(const Report& report, std::string_view slide) {
     if (!slide.empty()) out += fmt::format("<div class=\"scroll\">{}</div>", slide);
     out += fmt::format(
         "<p class=\"facts\">{} · {} × {}, up to {} rounds, other ladders as in the {} · {} · {} ({}) · {}, {} cores, "
-        "{} · "
-        "load {:.1f} before, {:.1f} after · {}</p>",
+        "{} · load {:.1f} before, {:.1f} after · {}</p>",
         content::escaped(w.scene), w.width, w.height, w.rounds, w.others(), w.date, content::escaped(w.renderer),
         content::escaped(w.gl), content::escaped(w.cpu), w.cores, content::escaped(w.os), w.load_before, w.load_after,
         content::escaped(w.tool));
     out += fmt::format(
         "<p class=\"words\">{} Differences in the pictures are of display values. Filled: on the front. Hollow: "
-        "another "
-        "rung is better. Square: the scene's rung. Whiskers: 95 % confidence interval of the median. All comparisons "
-        "of "
-        "one ladder's costs hold together at 95 %.</p>\n",
+        "another rung is better. Square: the scene's rung. Whiskers: 95 % confidence interval of the median. All "
+        "comparisons of one ladder's costs hold together at 95 %.</p>\n",
         errors_are);
     const auto sections = [&](bool knobs) {
         for (const SweepResult& sweep : report.sweeps)

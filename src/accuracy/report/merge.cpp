@@ -19,7 +19,6 @@ namespace snell::accuracy {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr int schema = 3;  // of json_text()
 
 struct Measured {
     bool known = false;
@@ -120,7 +119,7 @@ Machine machine_of(const Json& json, const std::string& file, std::size_t index)
 std::optional<Machine> read_machine(const NamedReport& report, std::size_t index, std::string& error) {
     const Json json = content::parse_json(report.json);
     try {
-        if (json.at("schema").get<int>() == schema) return machine_of(json, report.name, index);
+        if (json.at("schema").get<int>() == report_schema) return machine_of(json, report.name, index);
         error = fmt::format("'{}' was written by another version of snell; measure again", report.name);
     } catch (const Json::exception&) {
         error = fmt::format("'{}' is not a report that 'snell accuracy --json' wrote", report.name);

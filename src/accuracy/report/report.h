@@ -72,8 +72,7 @@ std::string psnr_text(double psnr);
 // What errors are of, in a sentence.
 inline constexpr std::string_view errors_are =
     "Errors are of light: display values decoded by the curve of sRGB, before quantisation. Those of the display "
-    "values "
-    "themselves are given next to them. 'Alone' compares with the last rung at the scene's own knobs.";
+    "values themselves are given next to them. 'Alone' compares with the last rung at the scene's own knobs.";
 
 // Its rungs; the scene's own is marked.
 content::Table rung_table(const SweepResult& sweep);
@@ -83,6 +82,7 @@ std::string header_text(const Report& report);
 
 // A row of column names, then one row for each rung.
 std::string csv_text(const Report& report);
+inline constexpr int report_schema = 3;  // of this JSON
 std::string json_text(const Report& report);
 // A single file that needs no network; its plots are inline SVG. It begins with `slide`, an element of HTML.
 std::string html_text(const Report& report, std::string_view slide = {});

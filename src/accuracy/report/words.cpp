@@ -345,8 +345,7 @@ std::string markdown_text(const Report& report, const std::vector<std::string>& 
         "# Accuracy and cost, measured\n\n{}, {} cores, {}; {} ({}); {}; {}; {} × {} pixels, up to {} rounds, other "
         "ladders as in the {}; load {:.1f} before, {:.1f} after.\n\nThe scene's rung is bold. {} The reference has all "
         "last rungs, and the finest samples, meshes and filter that the time allowed. Errors are the same on any "
-        "machine, "
-        "apart from rounding and the reference. Times are valid for this machine at that time.\n",
+        "machine, apart from rounding and the reference. Times are valid for this machine at that time.\n",
         w.cpu, w.cores, w.os, w.renderer, w.gl, w.tool, w.date, w.width, w.height, w.rounds, w.others(), w.load_before,
         w.load_after, errors_are);
     const std::vector<const SweepResult*> plotted = plots_of(report);

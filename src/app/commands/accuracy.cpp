@@ -218,6 +218,13 @@ void show_progress(const Progress& progress, std::size_t sweep, std::size_t swee
     std::fflush(stderr);
 }
 
+// In place of the progress.
+void print_result(const std::string& text) {
+    if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
+    fmt::print("{}", text);
+    std::fflush(stdout);
+}
+
 // A scene that was read, and what of it is measured.
 struct Subject {
     std::string path;
@@ -313,9 +320,7 @@ public:
         how.stop = measuring.stop;
         how.report = measuring.report;
         FoundResult found = search(subject.original(), caps, settings, how);
-        if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
-        fmt::print("{}", found_text(found));
-        std::fflush(stdout);
+        print_result(found_text(found));
         report.found.push_back(std::move(found));
         finish(share);
     }
@@ -326,22 +331,17 @@ public:
             if ((sweep.kind == SweepKind::knob) != knobs) continue;
             SweepResult result = measure(bench, sweep, next(sweep.rungs.size(), references));
             result.scene = subject.path;
-            if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
-            fmt::print("{}", table_text(result));
-            std::fflush(stdout);
+            print_result(table_text(result));
             report.sweeps.push_back(std::move(result));
             finish(sweep.rungs.size());
         }
     }
 
-    bool advise(Bench& bench, Subject& subject, const gl::Caps& caps, const BenchSettings& settings,
-                References& references, Report& report) {
-        std::optional<Sought> sought;
-        if (seeks(options_)) sought.emplace(Sought{subject.original(), report.found.back(), caps, settings});
+    bool advise(Bench& bench, Subject& subject, References& references, Report& report) {
         MeasureOptions measuring = next(Work::advice_rungs, references);
         measuring.spare = 0;  // many sweeps share it
         const bool told = give_advice(options_, subject.path, bench, subject.plan.rungs, measuring,
-                                      sought ? &*sought : nullptr, report);
+                                      seeks(options_) ? &report.found.back() : nullptr, report);
         finish(Work::advice_rungs);
         return told;
     }
@@ -450,7 +450,7 @@ Exit accuracy(const AccuracyOptions& options) {
         if (seeks(options) && !Interrupt::came()) run.find(*subject, caps, settings, report);
         run.measure_all(bench, *subject, true, references, report);
         if (asks_for_advice(options) && !Interrupt::came())
-            errors = !run.advise(bench, *subject, caps, settings, references, report) || errors;
+            errors = !run.advise(bench, *subject, references, report) || errors;
         report.where.query_over_wall = bench.query_over_wall();
         errors = note_problems(bench, *subject, report) || errors;
     }
@@ -470,8 +470,8 @@ Run add_accuracy(CLI::App& command) {
     add_access(command, options->access);
     add_timeout(command, options->timeout, "one step of the measurement, or for reading a scene");
     command.footer(
-        "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one "
-        "ends the program at once.");
+        "Times are of this machine, now. Ctrl-C ends the measurement; what was measured is written. A second one ends "
+        "the program at once.");
     command.add_option("SCENE", options->scenes, "one report of all of them");
     command.add_option("--merge", options->merge, "compare the JSON reports of several machines instead")
         ->expected(2, 26)
@@ -486,10 +486,9 @@ Run add_accuracy(CLI::App& command) {
         ->check(CLI::IsMember({"reference", "scene", "lattice"}));
     add_size(command, options->size, "WIDTHxHEIGHT (default: that of the first scene)");
     command
-        .add_option(
-            "--reps", options->rounds,
-            "rounds, in each of which every rung is timed once, three times as many for found rungs; fewer if the "
-            "budget is too small")
+        .add_option("--reps", options->rounds,
+                    "rounds, in each of which every rung is timed once, three times as many for found rungs; fewer if "
+                    "the budget is too small")
         ->check(CLI::Range(3, 10000));
     command.add_option("--budget", options->budget, "seconds for all of it; expensive rungs are timed less often")
         ->check(CLI::Range(1.0, 1e6))

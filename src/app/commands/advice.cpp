@@ -242,11 +242,10 @@ void add_advice(CLI::App& command, AccuracyOptions& options, CLI::Option& untime
 }
 
 bool give_advice(const AccuracyOptions& options, const std::string& path, Bench& bench, const Rungs& now,
-                 const MeasureOptions& measuring, const Sought* sought, Report& report) {
+                 const MeasureOptions& measuring, const FoundResult* found, Report& report) {
     const bool limited = options.within || options.error;
     const Wish wish{options.within, options.error};
     bool met = false, saved = true;
-    const FoundResult* found = sought ? &sought->found : nullptr;
     const bool ladders = !bench.scene().ladders.empty();
     if (ladders) {
         met = advise_ladders(options, path, bench, now, measuring, report, saved);

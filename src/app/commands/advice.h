@@ -47,19 +47,12 @@ bool asks_for_advice(const AccuracyOptions& options);
 // Parses a duration above 0, such as "16ms", "16" or "0.016s"; returns milliseconds.
 std::optional<double> parse_milliseconds(const std::string& text);
 
-// A scene whose rungs were sought.
-struct Sought {
-    accuracy::Original original;
-    const accuracy::FoundResult& found;
-    const gl::Caps& caps;
-    const accuracy::BenchSettings& settings;
-};
-
 // Measures, prints the combinations found as values and as a command line, writes the presets if requested, and adds
 // the measurements to the report. Rungs of ladders are chosen, or knobs if the scene has no ladders; and rungs that
-// were found, if `sought` is not null. If no limit is met, or there is no result, or a file
-// cannot be written, it prints the reason and returns false. asks_for_advice must be true.
+// were found, if `found` is not null. If no limit is met, or there is no result, or a file cannot be written, it prints
+// the reason and returns false. asks_for_advice must be true.
 bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
-                 const accuracy::MeasureOptions& measuring, const Sought* sought, accuracy::Report& report);
+                 const accuracy::MeasureOptions& measuring, const accuracy::FoundResult* found,
+                 accuracy::Report& report);
 
 }  // namespace snell::app

@@ -12,6 +12,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/accuracy/difference.h"
+#include "src/accuracy/report/report.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/complain.h"
@@ -146,15 +147,14 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
     std::optional<Compared> best;
     std::optional<Picture> picture;
     const ScenePicture& scene = options.scene;
-    if (!has_extension(path, "glib")) picture = pictures.of(path, std::nullopt, scene);
-    if (!has_extension(path, "glib") && !picture) return best;
+    const bool drawn = has_extension(path, "glib");
+    if (!drawn && !(picture = pictures.of(path, std::nullopt, scene))) return best;
     for (const std::string& name : references) {
         const auto reference =
             pictures.of(name, picture ? std::optional(std::pair(picture->width, picture->height)) : std::nullopt,
                         options.other ? *options.other : scene);
         if (!reference) return std::nullopt;
-        if (has_extension(path, "glib"))
-            picture = pictures.of(path, std::pair(reference->width, reference->height), scene);
+        if (drawn) picture = pictures.of(path, std::pair(reference->width, reference->height), scene);
         if (!picture) return std::nullopt;
         if (picture->width != reference->width || picture->height != reference->height) {
             complain(fmt::format("'{}' has {}x{} pixels, but '{}' has {}x{}", path, picture->width, picture->height,
@@ -183,9 +183,7 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
 }
 
 nlohmann::ordered_json compared_figures(const accuracy::Figures& f) {
-    const auto number = [](double value) {  // JSON has no infinity
-        return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-    };
+    using accuracy::number;
     return {{"rmse", number(f.rmse)}, {"psnr", number(f.psnr)}, {"max", number(f.max)}, {"mean", number(f.mean)}};
 }
 
@@ -299,13 +297,13 @@ bool write_compared(const CompareOptions& options, const nlohmann::ordered_json&
 
 // Two folders, or one picture with any number of references.
 Exit usable(const CompareOptions& options) {
+    std::error_code error;
+    const bool folders = fs::is_directory(options.picture, error);
     std::vector<std::string> read = options.references;
     read.push_back(options.picture);
     for (const std::string& path : read) {
-        std::error_code error;
         if (!fs::exists(path, error)) return complain(exit_usage, fmt::format("there is no '{}'", path));
-        const bool folders = fs::is_directory(options.picture);
-        if (fs::is_directory(path) == folders && (!folders || options.references.size() == 1)) continue;
+        if (fs::is_directory(path, error) == folders && (!folders || options.references.size() == 1)) continue;
         return complain(exit_usage,
                         "a folder is compared with one other folder, and a picture or a scene with pictures or scenes");
     }
@@ -397,10 +395,9 @@ Exit compare(CompareOptions options) {
 Run add_compare(CLI::App& command) {
     auto options = std::make_shared<CompareOptions>();
     command.add_option("PICTURE", options->picture, "a picture, a scene, or a folder of them")->required();
-    command.add_option(
-        "REFERENCE", options->references,
-        "picture, scene or folder to compare with; of several, the nearest counts. Names pair the files of folders. "
-        "Without it, two --set are two states of the scene");
+    command.add_option("REFERENCE", options->references,
+                       "picture, scene or folder to compare with; of several, the nearest counts. Names pair the files "
+                       "of folders. Without it, two --set are two states of the scene");
     command
         .add_option("-o,--output", options->output,
                     "write FLIP's map of the differences; for folders, a folder of maps")

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
+#include "src/accuracy/report/quality.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/headless.h"
 #include "src/content/files.h"
@@ -157,7 +158,8 @@ void add_values(CLI::App& command, std::vector<std::string>& sets, std::vector<s
 
 void add_quality(CLI::App& command, std::string& quality) {
     command.add_option("--quality", quality, "rungs as `snell accuracy --save-quality` found them")
-        ->check(CLI::IsMember({"fast", "balanced", "exact"}));
+        ->check(
+            CLI::IsMember(std::vector<std::string>(accuracy::quality_names.begin(), accuracy::quality_names.end())));
 }
 
 void add_context(CLI::App& command, std::string& context) {

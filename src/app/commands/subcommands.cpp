@@ -310,10 +310,9 @@ Run add_render(CLI::App& command) {
     auto render = std::make_shared<RenderOptions>();
     command.add_option("SCENE", render->scenes)->required();
     command
-        .add_option(
-            "-o,--output", render->output,
-            "the picture; its extension is the format; {stem} is the scene's name, {dir} its folder's, {path} what "
-            "distinguishes its path, {frame:04} the frame's number")
+        .add_option("-o,--output", render->output,
+                    "the picture; its extension is the format; {stem} is the scene's name, {dir} its folder's, {path} "
+                    "what distinguishes its path, {frame:04} the frame's number")
         ->required();
     command.add_option("--frames", render->frames, "draw so many pictures, named NAME-0000 and so on without {frame}")
         ->check(CLI::Range(1, static_cast<int>(max_pictures)));

@@ -31,11 +31,7 @@ Judged judge_errors(const RubricItem& item, const Document& document) {
 Judged judge_lints(const RubricItem& item, const Document& document) {
     std::vector<std::string> found;
     for (const std::string& code : item.names)
-        for (const Diagnostic& diagnostic : document.diagnostics.items())
-            if (diagnostic.code == code) {
-                found.push_back(code);
-                break;
-            }
+        if (ranges::count(document.diagnostics.items(), code, &Diagnostic::code) > 0) found.push_back(code);
     if (found.empty()) return {item.points, true, "nothing was found"};
     const double lost = item.each ? *item.each * static_cast<double>(found.size()) : item.points;
     return {std::max(0., item.points - lost), false, fmt::format("found: {}", fmt::join(found, ", "))};
@@ -51,12 +47,6 @@ std::string own_name(const std::string& name, const Rubric& rubric, const Docume
         for (const std::string& alias : aliases->second)
             if (has_uniform(document, alias)) return alias;
     return name;
-}
-
-std::string type_of(const Document& document, const snell::Control& control) {
-    for (const ActiveUniform& uniform : document.runtime->active_uniforms()[control.program])
-        if (uniform.name == control.name) return uniform.glsl_type;
-    return {};
 }
 
 // "" or what is wrong with it.
@@ -125,6 +115,12 @@ std::string tried_values(const snell::Control& slider) {
 }
 
 }  // namespace
+
+std::string type_of(const Document& document, const snell::Control& control) {
+    const auto& all = document.runtime->active_uniforms()[control.program];
+    const auto found = ranges::find(all, control.name, &ActiveUniform::name);
+    return found == all.end() ? "" : found->glsl_type;
+}
 
 UsedCommands used_commands(const std::string& scene, const Access& access) {
     Files files(scene_folder(scene), access);

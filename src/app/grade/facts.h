@@ -20,6 +20,9 @@ Judged judge_counters(const RubricItem& item, const Counters& counters);
 // The uniforms that the rubric's items name, and that the scene's text sets.
 std::set<std::string> uniforms_of(const Scene& scene, const Rubric& rubric);
 
+// The type of a uniform, as GLSL writes it; "" if no shader uses it.
+std::string type_of(const Document& document, const snell::Control& control);
+
 // The assignment with the names that the scene has in place of the rubric's, where the rubric lists them as aliases.
 std::string with_aliases(const std::string& assignment, const Rubric& rubric, const Document& document);
 

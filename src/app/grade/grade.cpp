@@ -101,9 +101,9 @@ private:
                    "snell: interrupted: {} of {} submissions are judged and kept in '{}'; the same command judges the "
                    "rest{}\n",
                    grades_.all.size() - open + judged_, grades_.all.size(), utf8::printable(options_.output),
-                   fs::exists(output_ / "index.html", error) ? "; 'index.html', 'results.csv' and the other pages and "
-                                                               "tables in it are of an earlier run"
-                                                             : "");
+                   fs::exists(output_ / "index.html", error)
+                       ? "; 'index.html', 'results.csv' and the other pages and tables in it are of an earlier run"
+                       : "");
         Interrupt::end();
     }
 
@@ -125,15 +125,16 @@ private:
         constexpr double least = .7e9;
         const double limit = address_space();
         if (limit < least)
-            return complain(fmt::format("the limit of address space ('ulimit -v') leaves {:.2g} GB, and an OpenGL "
-                                        "driver alone may take {}",
-                                        limit / 1e9, least / 1e9),
-                            "nothing was judged");
+            return complain(
+                fmt::format(
+                    "the limit of address space ('ulimit -v') leaves {:.2g} GB, and an OpenGL driver alone may take {}",
+                    limit / 1e9, least / 1e9),
+                "nothing was judged");
         if (limit < (gigabytes_ > 0 ? gigabytes_ * 1e9 : std::numeric_limits<double>::infinity())) {
             gigabytes_ = limit / 1e9;
             fmt::print(stderr,
-                       "snell: warning: the limit of address space ('ulimit -v') leaves {:.3g} GB to each "
-                       "submission, less than --memory\n",
+                       "snell: warning: the limit of address space ('ulimit -v') leaves {:.3g} GB to each submission, "
+                       "less than --memory\n",
                        gigabytes_);
         }
         std::error_code error;

@@ -222,16 +222,12 @@ private:
 
     void draw_pictures() {
         pictures_.resize(rubric_.pictures.size());
-        wrong_.resize(rubric_.pictures.size());
-        covered_.resize(rubric_.pictures.size());
-        infinite_.resize(rubric_.pictures.size());
-        has_area_.resize(rubric_.pictures.size());
         Runtime& runtime = *document_->runtime;
         const gl::Target target =
             gl::make_target(rubric_.width, rubric_.height, rubric_.samples, runtime.display_pixels());
         if (target.framebuffer) draw_nothing(target);
         for (std::size_t i = 0; i < pictures_.size(); ++i) {
-            if (!target.framebuffer) wrong_[i] = "this OpenGL gives no picture of this size";
+            if (!target.framebuffer) pictures_[i].wrong = "this OpenGL gives no picture of this size";
             if (target.framebuffer) draw(i, target);
         }
         drawn_ = static_cast<bool>(target.framebuffer);
@@ -246,7 +242,7 @@ private:
             set_control(controls, document_->scene(), with_aliases(set, rubric_, *document_), wrong);
         if (wrong.has_errors()) {
             const Diagnostic& first = wrong.items().front();
-            wrong_[index] = first.message + (first.help.empty() ? "" : " (" + first.help + ")");
+            pictures_[index].wrong = first.message + (first.help.empty() ? "" : " (" + first.help + ")");
             return;
         }
         View view;
@@ -255,7 +251,7 @@ private:
         Frame frame{.time = shown.time, .view = view, .controls = controls, .hidden = &endless_};
         const content::Image image = image_of(frame, target);
         if (index == 0) counters_ = document_->runtime->counters();
-        pictures_[index] = accuracy::displayed_picture(image, false);
+        pictures_[index].picture = accuracy::displayed_picture(image, false);
         record_.drawn[index] = fmt::format("picture-{}.png", index);
         write(record_.drawn[index], content::encode_png(image));
         frame.standing = true;
@@ -284,16 +280,17 @@ private:
     void find_covered(std::size_t index, Frame frame, const gl::Target& target) {
         constexpr auto step = static_cast<float>(accuracy::one_step);
         const Shown& shown = rubric_.pictures[index];
-        accuracy::Region& covered = covered_[index] = accuracy::where_different(*pictures_[index], background_, step);
+        accuracy::Region& covered = pictures_[index].covered =
+            accuracy::where_different(*pictures_[index].picture, background_, step);
         FloatPicture floats;
         std::vector<float> rgba;
         std::vector<std::size_t> undefined;
         if (floats.resize(rubric_.width, rubric_.height)) floats.draw(*document_->runtime, frame, rgba);
         for (std::size_t i = 0; 4 * i < rgba.size(); ++i)
             if (flag_of(std::span<const float, 4>(&rgba[4 * i], 4)) == Flag::nan) undefined.push_back(i);
-        if (!rgba.empty()) infinite_[index] = count_flags(rgba)[Flag::infinite];
+        if (!rgba.empty()) pictures_[index].infinite = count_flags(rgba)[Flag::infinite];
         if (!undefined.empty())
-            wrong_[index] =
+            pictures_[index].wrong =
                 fmt::format("{} of {} {} NaN, whose colour is undefined", counted(undefined.size(), "pixel"),
                             shown_as(shown), undefined.size() == 1 ? "is" : "are");
         for (const std::size_t i : undefined) covered[i] = 0;
@@ -309,10 +306,10 @@ private:
             return static_cast<double>(accuracy::count(region)) / static_cast<double>(region.size());
         };
         record_.covered[index] = share(covered);
-        accuracy::Region shape = shape_of(*pictures_[index], covered);
+        accuracy::Region shape = shape_of(*pictures_[index].picture, covered);
         for (const std::size_t i : undefined) shape[i] = 0;
         record_.shaped[index] = share(shape);
-        has_area_[index] = has_area(shape);
+        pictures_[index].has_area = has_area(shape);
     }
 
     // What stands out of a picture: the pixels that have another colour than most, or are covered where most are not.
@@ -371,7 +368,7 @@ private:
 
     // The reference's own picture, which is copied so that the folder can be handed back.
     std::optional<Picture> reference_picture(std::size_t index) {
-        if (work_.reference.empty()) return pictures_[index];
+        if (work_.reference.empty()) return pictures_[index].picture;
         const std::string name = fmt::format("picture-{}.png", index);
         const std::string bytes = content::whole_file((fs::path(work_.reference) / name).string());
         const auto decoded = content::decode_image(name, bytes);
@@ -389,7 +386,7 @@ private:
         if (!needs_pictures(item)) return {};
         const bool relation = item.kind == Kind::picture, against = relation && item.expect == Expect::reference;
         for (const std::size_t index : {item.picture, against ? item.picture : item.than}) {
-            if (!wrong_[index].empty() && (relation || !drawn_)) return wrong_[index];
+            if (!pictures_[index].wrong.empty() && (relation || !drawn_)) return pictures_[index].wrong;
             const std::size_t of_reference = against ? item.than : index;
             if (is_empty(index, of_reference) || (relation && is_plain(index, of_reference)))
                 return nothing(record_.covered[index] > 0) + " is seen in " + shown_as(rubric_.pictures[index]);
@@ -408,12 +405,12 @@ private:
         if (work_.path == rubric_.reference) return false;
         const double own = record_.covered[picture];
         if (reference_.covered.empty()) return own == 0;
-        return own < reference_.covered[of_reference] / 50 && (own == 0 || !has_area_[picture]);
+        return own < reference_.covered[of_reference] / 50 && (own == 0 || !pictures_[picture].has_area);
     }
 
     // The same of what stands out, where the whole picture may be covered: a single colour is as good as nothing.
     bool is_plain(std::size_t picture, std::size_t of_reference) const {
-        return work_.path != rubric_.reference && !reference_.shaped.empty() && !has_area_[picture] &&
+        return work_.path != rubric_.reference && !reference_.shaped.empty() && !pictures_[picture].has_area &&
                record_.shaped[picture] < reference_.shaped[of_reference] / 50;
     }
 
@@ -439,10 +436,10 @@ private:
     }
 
     Judged judge_picture(const RubricItem& item) {
-        const Picture& picture = *pictures_[item.picture];
+        const Picture& picture = *pictures_[item.picture].picture;
         if (item.expect == Expect::finite) return judge_finite(item);
         const bool against = item.expect == Expect::reference;
-        const auto other = against ? reference_picture(item.than) : pictures_[item.than];
+        const auto other = against ? reference_picture(item.than) : pictures_[item.than].picture;
         if (!other) return {0, false, "the reference has no such picture"};
         const Picture compared = item.expect == Expect::mirrored ? accuracy::mirrored(*other) : *other;
         const accuracy::PictureDifference difference =
@@ -452,18 +449,20 @@ private:
             write(record_.maps[item.map],
                   content::encode_png(accuracy::map_image(difference.map, picture.width, picture.height)));
         }
-        accuracy::Region covered = covered_[item.picture];
-        for (std::size_t i = 0; i < covered.size() && !against; ++i) covered[i] |= covered_[item.than][i];
+        accuracy::Region covered = pictures_[item.picture].covered;
+        for (std::size_t i = 0; i < covered.size() && !against; ++i) covered[i] |= pictures_[item.than].covered[i];
         const auto share = static_cast<double>(accuracy::count(covered)) / static_cast<double>(covered.size());
         return judge_relation(item, picture, compared, difference, share);
     }
 
     // A picture with NaN does not come here.
     Judged judge_finite(const RubricItem& item) const {
-        const std::optional<std::size_t> infinite = infinite_[item.picture];
+        const std::optional<std::size_t> infinite = pictures_[item.picture].infinite;
         if (!infinite) return {0, false, "this OpenGL does not tell which pixels are finite"};
         return {0, *infinite == 0,
-                *infinite == 0 ? "no pixel is NaN or infinite" : fmt::format("{} pixels are infinite", *infinite)};
+                *infinite == 0
+                    ? "no pixel is NaN or infinite"
+                    : fmt::format("{} {} infinite", counted(*infinite, "pixel"), *infinite == 1 ? "is" : "are")};
     }
 
     Judged judge_time(const RubricItem& item) const {
@@ -534,6 +533,15 @@ private:
         }
     }
 
+    // A picture of the rubric.
+    struct Drawn {
+        std::optional<Picture> picture;
+        std::string wrong;  // why there is none, or it does not count
+        accuracy::Region covered;
+        std::optional<std::size_t> infinite;  // pixels; nullopt: not known
+        bool has_area = false;                // what stands out of it
+    };
+
     const ToJudge& work_;
     const Rubric& rubric_;
     Deadline deadline_;
@@ -543,11 +551,7 @@ private:
     std::unique_ptr<HeadlessContext> context_;
     gl::Caps caps_;
     std::unique_ptr<Document> document_;
-    std::vector<std::optional<Picture>> pictures_;
-    std::vector<std::string> wrong_;  // why there is no such picture
-    std::vector<accuracy::Region> covered_;
-    std::vector<std::optional<std::size_t>> infinite_;  // pixels; nullopt: not known
-    std::vector<bool> has_area_;                        // by picture: what stands out of it
+    std::vector<Drawn> pictures_;
     Picture background_, other_;
     Vec4 other_background_{0, 0, 0, 1};
     std::size_t seen_ = 0;  // pixels, in all pictures

@@ -118,25 +118,17 @@ private:
         return found;
     }
 
-    std::string type_name(const snell::Control& control) const {
-        for (const ActiveUniform& uniform : document_->runtime->active_uniforms()[control.program])
-            if (uniform.name == control.name) return uniform.glsl_type;
-        return "float";
-    }
-
     std::string uniforms() const {
         const auto all = sliders();
         if (all.empty()) return {};
         std::string text =
             "\n# Type of each, and, if it has a slider, the range that the slider must reach at least.\n[[item]]\nname "
-            "= "
-            "\"Uniforms\"\npoints = 2\n[item.uniforms]\n";
-        for (const snell::Control* control : all)
-            text +=
-                fmt::format("{} = {}\n", toml_key(control->name),
-                            toml_text(control->widget == Widget::slider
-                                          ? fmt::format("{} {}..{}", type_name(*control), control->min, control->max)
-                                          : type_name(*control)));
+            "= \"Uniforms\"\npoints = 2\n[item.uniforms]\n";
+        for (const snell::Control* control : all) {
+            std::string needed = type_of(*document_, *control);
+            if (control->widget == Widget::slider) needed += fmt::format(" {}..{}", control->min, control->max);
+            text += fmt::format("{} = {}\n", toml_key(control->name), toml_text(needed));
+        }
         return text;
     }
 

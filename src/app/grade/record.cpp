@@ -113,12 +113,8 @@ Json record_in(const fs::path& folder) {
     std::error_code error;
     const std::string file = record_file(folder.string());
     if (!fs::is_regular_file(file, error)) return {};
-    try {
-        Json json = content::parse_json(content::whole_file(file));
-        return json.is_object() && json.contains("schema") && json.contains("key") ? json : Json{};
-    } catch (const nlohmann::json::exception&) {
-        return {};
-    }
+    Json json = content::parse_json(content::whole_file(file));
+    return json.is_object() && json.contains("schema") && json.contains("key") ? json : Json{};
 }
 
 // The record of a submission or the reference, and its pictures.
@@ -195,7 +191,7 @@ void remove_judged(const std::string& folder) {
 
 std::string submission_in(const std::string& folder) {
     const Json json = record_in(folder);
-    return json.is_object() && json.contains("submission") && json["submission"].is_string() ? json["submission"] : "";
+    return json.contains("submission") && json["submission"].is_string() ? json["submission"] : "";
 }
 
 void remove_pairs(const std::string& output) {

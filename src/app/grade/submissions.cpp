@@ -266,11 +266,11 @@ std::optional<Submissions> find_submissions(const std::vector<std::string>& argu
         Neighbours inside(folder, rubric, report);
         if (!inside.one_submission() && !rubric.scenes.contains(shown_name(folder))) {
             if (!inside.scenes.empty())
-                fmt::print(stderr,
-                           "snell: warning: '{}' holds {} next to other entries: each is a submission "
-                           "[several-submissions]\n   help: to grade one scene with the files next to it, name the "
-                           "scene\n",
-                           utf8::printable(arguments.front()), counted(inside.scenes.size(), "scene"));
+                fmt::print(
+                    stderr,
+                    "snell: warning: '{}' holds {} next to other entries: each is a submission [several-submissions]\n "
+                    "  help: to grade one scene with the files next to it, name the scene\n",
+                    utf8::printable(arguments.front()), counted(inside.scenes.size(), "scene"));
             found.left_out = std::move(inside.left_out);
             paths = {inside.scenes.begin(), inside.scenes.end()};
             paths.insert(inside.others.begin(), inside.others.end());

@@ -24,7 +24,7 @@ public:
         for (int n = 0; n < s_.nodes(); ++n) {
             if (s_.at(n).form == Form::call) called_.insert(s_.at(n).text);
             const int f = s_.at(n).first < 0 ? -1 : s_.function_of(s_.at(n).first);
-            if (f >= 0) bodies_[function(f).name].push_back(n);
+            if (f >= 0) bodies_[s_.function(f).name].push_back(n);
         }
     }
 
@@ -46,8 +46,6 @@ public:
     }
 
 private:
-    const glsl::Function& function(int index) const { return s_.unit.functions[static_cast<std::size_t>(index)]; }
-
     // What is drawn to textures may be read again, and would then be another picture.
     bool in_window() const {
         const Scene& scene = s_.plan.scene;
@@ -65,20 +63,15 @@ private:
         const int within = s_.function_of(node.first), around = s_.parent(n);
         if (within < 0 || around < 0 || !s_.ahead_of(within) || s_.in_free_loop(node.first)) return false;
         // main adds up what the probe declares ahead of the function.
-        if (function(within).open > function(main_).open) return false;
-        if (within != main_ && !called_.contains(function(within).name)) return false;
+        if (s_.function(within).open > s_.function(main_).open) return false;
+        if (within != main_ && !called_.contains(s_.function(within).name)) return false;
         const Node& outer = s_.at(around);
-        const bool initial = outer.form == Form::declarator && outer.type.same(node.type) && !in_loop(around);
+        // What a loop declares has another value in each round, or decides on their number.
+        const bool initial = outer.form == Form::declarator && outer.type.same(node.type) && s_.loop_around(around) < 0;
         const bool blended = outer.form == Form::built_in && outer.text == "mix";
         const bool factor = outer.form == Form::infix && outer.text == "*" && real_vector(outer.type);
         const bool plain = node.form != Form::name && node.form != Form::choose && node.form != Form::assign;
         return (initial || blended || factor) && plain && !has_mean(n);
-    }
-
-    // What a loop declares has another value in each round, or decides on their number.
-    bool in_loop(int node) const {
-        while (node >= 0 && s_.at(node).form != Form::loop) node = s_.parent(node);
-        return node >= 0;
     }
 
     // A texture's mean is known without drawing.
@@ -115,7 +108,7 @@ private:
         if (n.form == Form::built_in && ranges::find(transcendental, n.text) != transcendental.end()) cost.work += 2;
         if (n.form != Form::call) return;
         const auto gives = [](const glsl::Parameter& p) { return p.storage != glsl::Storage::in; };
-        if (n.function < 0 || depth == deepest_call || ranges::any_of(function(n.function).parameters, gives)) {
+        if (n.function < 0 || depth == deepest_call || ranges::any_of(s_.function(n.function).parameters, gives)) {
             cost.effects = true;
             return;
         }
@@ -160,11 +153,11 @@ private:
                                 type)},
             insertion(span, span.begin, "snellSeen("),
             insertion(span, span.end, ")")};
-        add_behind_main(s_,
-                        fmt::format("{} = snellCount > 0. ? vec4({} / snellCount, {} / snellCount, {:.1f}, 1.) : "
-                                    "vec4(0.);",
-                                    output, component(channel), component(channel + 1), probe_mark),
-                        edits);
+        add_behind_main(
+            s_,
+            fmt::format("{} = snellCount > 0. ? vec4({} / snellCount, {} / snellCount, {:.1f}, 1.) : vec4(0.);", output,
+                        component(channel), component(channel + 1), probe_mark),
+            edits);
         return edits;
     }
 
@@ -183,7 +176,7 @@ private:
 bool has_own_main(const Shader& shader) {
     const int main = shader.main();
     if (main < 0 || !shader.ahead_of(main)) return false;
-    const glsl::Function& function = shader.unit.functions[static_cast<std::size_t>(main)];
+    const glsl::Function& function = shader.function(main);
     return shader.own(function.name_token, function.name_token) && shader.own(function.close, function.close);
 }
 
@@ -201,7 +194,7 @@ std::string colour_output(const Shader& fragment) {
 }
 
 void add_behind_main(const Shader& shader, const std::string& statement, std::vector<Edit>& edits) {
-    const glsl::Function& main = shader.unit.functions[static_cast<std::size_t>(shader.main())];
+    const glsl::Function& main = shader.function(shader.main());
     const Span close = shader.span(main.close, main.close);
     edits.push_back({shader.span(main.name_token, main.name_token), "snellAuthorMain"});
     edits.push_back(

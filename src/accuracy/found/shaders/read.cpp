@@ -173,7 +173,7 @@ bool Shader::written(int name) const {
     if (n.function < 0 || around - n.begin > 10'000) return true;
     const std::vector<int> given = parts(around);
     const auto which = static_cast<std::size_t>(std::find(given.begin(), given.end(), node) - given.begin());
-    const auto& parameters = unit.functions[static_cast<std::size_t>(n.function)].parameters;
+    const auto& parameters = function(n.function).parameters;
     return which >= parameters.size() || parameters[which].storage != glsl::Storage::in;
 }
 
@@ -182,11 +182,16 @@ int Shader::statement(int node) const {
     return node;
 }
 
-std::optional<Span> Shader::ahead_of(int function) const {
-    if (function < 0) return std::nullopt;
-    const glsl::Function& f = unit.functions[static_cast<std::size_t>(function)];
-    if (!own(f.first, f.first)) return std::nullopt;
-    const Span place = span(f.first, f.first);
+int Shader::loop_around(int node) const {
+    while (node >= 0 && at(node).form != Form::loop) node = parent(node);
+    return node;
+}
+
+std::optional<Span> Shader::ahead_of(int index) const {
+    if (index < 0) return std::nullopt;
+    const int first = function(index).first;
+    if (!own(first, first)) return std::nullopt;
+    const Span place = span(first, first);
     return Span{place.file, place.begin, place.begin};
 }
 
@@ -393,12 +398,15 @@ bool closed(const Node& node) {
            node.form == Form::call || node.form == Form::built_in;
 }
 
-std::string literal(double value, const glsl::Type& type, int digits) {
+std::string literal(double value, const glsl::Type& type) {
     if (type.base == glsl::Base::integer) return fmt::format("{:.0f}", value);
     if (type.base == glsl::Base::uinteger) return fmt::format("{:.0f}u", value);
-    std::string text = fmt::format("{:.{}g}", value, digits);
-    if (text.find_first_of(".e") == std::string::npos) text += '.';
-    return text;
+    return real_literal(value);
+}
+
+std::string_view varying_word(const Shader& shader, std::string_view direction) {
+    const bool old = ranges::any_of(shader.unit.globals, [](const glsl::Global& g) { return g.qualifiers.varying; });
+    return old ? "varying" : direction;
 }
 
 namespace {

@@ -31,31 +31,30 @@ class Rounds {
 public:
     Rounds(const Shader& shader, Offers& offers) : s_(shader), offers_(offers) {
         for (std::size_t k = 1; k < s_.unit.tokens.size(); ++k) {
-            const glsl::Token& t = s_.unit.tokens[k];
-            if (s_.unit.tokens[k - 1].text == "[")
-                sizes_.insert(t.macro >= 0 ? s_.unit.invocations[at(t.macro)] : t.text);
+            if (s_.unit.tokens[k - 1].text == "[") sizes_.insert(written(s_.unit.tokens[k]));
         }
     }
 
     void run() {
-        for (int n = 0; n < s_.nodes(); ++n)
-            if (s_.at(n).form == Form::loop)
-                for (const Counter& c : counters(s_, n))
-                    if (c.target >= 0 && fills(n, c)) keep(s_.at(s_.bare(c.target)));
-        for (int n = 0; n < s_.nodes(); ++n)
-            if (s_.at(n).form == Form::loop)
-                for (const Counter& c : counters(s_, n))
-                    if (!fills(n, c)) loop(c);
-        for (int n = 0; n < s_.nodes(); ++n)
-            if (s_.at(n).form == Form::loop) more(n);
+        std::vector<int> loops, calls;
+        for (int n = 0; n < s_.nodes(); ++n) {
+            if (s_.at(n).form == Form::loop) loops.push_back(n);
+            if (s_.at(n).form == Form::call) calls.push_back(n);
+        }
+        for (const int n : loops)
+            for (const Counter& c : counters(s_, n))
+                if (c.target >= 0 && fills(n, c)) keep(s_.at(s_.bare(c.target)));
+        for (const int n : loops)
+            for (const Counter& c : counters(s_, n))
+                if (!fills(n, c)) loop(c);
+        for (const int n : loops) more(n);
         std::size_t known = 0;
         do {  // a function may hand its parameter on
             known = parameters_.size();
-            for (int n = 0; n < s_.nodes(); ++n)
-                if (s_.at(n).form == Form::call) follow(n);
+            for (const int n : calls)
+                if (const int given = argument(n); given >= 0) remember(given);
         } while (parameters_.size() > known);
-        for (int n = 0; n < s_.nodes(); ++n)
-            if (s_.at(n).form == Form::call) call(n);
+        for (const int n : calls) call(n);
     }
 
 private:
@@ -81,7 +80,7 @@ private:
 
     // With fewer rounds, a primitive would lack vertices.
     bool emits(int loop) const {
-        while (loop >= 0 && s_.at(loop).form != Form::loop) loop = s_.parent(loop);
+        loop = s_.loop_around(loop);
         if (loop < 0) return false;
         for (int k = s_.at(loop).first; k <= s_.at(loop).last; ++k)
             if (s_.token(k).text == "EmitVertex") return true;
@@ -91,8 +90,12 @@ private:
     // The value of the name or the macro stays: as many elements are written.
     void keep(const Node& n) {
         if (n.form == Form::name) sizes_.insert(n.text);
-        if (n.first >= 0 && s_.token(n.first).macro >= 0)
-            sizes_.insert(s_.unit.invocations[at(s_.token(n.first).macro)]);
+        if (n.first >= 0 && s_.token(n.first).macro >= 0) sizes_.insert(written(s_.token(n.first)));
+    }
+
+    // The invocation of the macro that gave the token, or the token.
+    std::string_view written(const glsl::Token& t) const {
+        return t.macro >= 0 ? s_.unit.invocations[at(t.macro)] : t.text;
     }
 
     void loop(const Counter& c) {
@@ -160,7 +163,7 @@ private:
         const Node& n = s_.at(node);
         const int function = s_.function_of(n.first);
         if (n.form != Form::name || n.variable < 0 || function < 0) return;
-        const std::vector<glsl::Parameter>& parameters = s_.unit.functions[at(function)].parameters;
+        const std::vector<glsl::Parameter>& parameters = s_.function(function).parameters;
         for (std::size_t p = 0; p < parameters.size(); ++p)
             if (parameters[p].variable == n.variable) parameters_.emplace(function, p);
     }
@@ -170,19 +173,15 @@ private:
         const Node& n = s_.at(node);
         const std::vector<int> given = s_.parts(node);
         if (n.function < 0) return -1;
-        const glsl::Function& called = s_.unit.functions[at(n.function)];
+        const glsl::Function& called = s_.function(n.function);
         for (const auto& [function, parameter] : parameters_) {
-            const glsl::Function& f = s_.unit.functions[at(function)];
+            const glsl::Function& f = s_.function(function);
             const bool same = f.name == called.name && f.parameters.size() == called.parameters.size() &&
                               std::equal(f.parameters.begin(), f.parameters.end(), called.parameters.begin(),
                                          [](const auto& a, const auto& b) { return a.type.same(b.type); });
             if (same && parameter < given.size()) return s_.bare(given[parameter]);
         }
         return -1;
-    }
-
-    void follow(int node) {
-        if (const int given = argument(node); given >= 0) remember(given);
     }
 
     void call(int node) {
@@ -226,8 +225,7 @@ private:
     // Numbers that follow change with it. `shown`: where the number is defined, if it is not within the loop.
     void offer(int where, std::optional<Span> shown, int number, Span place, double after, bool more) {
         const Node& n = s_.at(number);
-        int loop = where;
-        while (loop >= 0 && s_.at(loop).form != Form::loop) loop = s_.parent(loop);
+        const int loop = s_.loop_around(where);
         std::vector<Edit> edits{{place, literal(after, n.type)}};
         std::vector<Span> places{shown ? *shown : more && loop >= 0 ? head(loop) : s_.span(where)};
         const std::vector<int> follow = loop < 0 ? std::vector<int>() : followers(loop, number, n.value.front());
@@ -429,7 +427,7 @@ private:
         if (gave(first - 1) || gave(last + 1)) return {};
         for (int k = first; k <= last; ++k)
             if (!gave(k)) return {};
-        return s_.unit.invocations[at(macro)];
+        return written(s_.token(n.first));
     }
 
     bool definition_of_macro(const RoundBound& bound, double factor) {
@@ -499,7 +497,7 @@ private:
     // Ladders choose among such numbers already.
     bool of_ladder(const Node& n) const {
         if (n.first < 0 || s_.token(n.first).macro < 0) return false;
-        const std::string_view name = s_.unit.invocations[at(s_.token(n.first).macro)];
+        const std::string_view name = written(s_.token(n.first));
         return std::any_of(s_.defines.begin(), s_.defines.end(), [&](const auto& d) { return d.name == name; });
     }
 

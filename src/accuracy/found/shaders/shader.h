@@ -67,8 +67,10 @@ public:
     bool written(int name) const;
     // Whether something is stored in the variable behind its declaration.
     bool changes(int variable) const { return changed_[static_cast<std::size_t>(variable)]; }
-    // The statement around a node.
+    // The statement around a node; the loop, or the node itself if it is one; -1: there is none.
     int statement(int node) const;
+    int loop_around(int node) const;
+    const glsl::Function& function(int index) const { return unit.functions[static_cast<std::size_t>(index)]; }
     // The expressions within functions that were understood, in the order of the text, outermost first.
     const std::vector<int>& expressions() const { return expressions_; }
     // Whether all of an expression was understood.
@@ -217,7 +219,10 @@ inline Edit after(const Span& at, std::string text) { return insertion(at, at.en
 // Whether the text needs no parentheses, whatever stands next to it.
 bool closed(const glsl::Node& node);
 // A number as GLSL writes it for the type: 32, 32u, 32.
-std::string literal(double value, const glsl::Type& type, int digits = 9);
+std::string literal(double value, const glsl::Type& type);
+
+// How a stage declares a varying: by `direction`, in or out, or as old shaders do.
+std::string_view varying_word(const Shader& shader, std::string_view direction);
 
 // Whether the author's main can be called by another one: its text can be edited.
 bool has_own_main(const Shader& shader);
@@ -273,8 +278,6 @@ struct Power {
     double bound = 0;
 };
 Power power_text(std::optional<double> exponent, std::string_view name, std::string_view type);
-
-// Whether variables have a value where a statement is left out.
 
 // Whether all of the variable was certainly written on every path from the function's begin to the token, which is
 // outside of brackets. What only a call writes is not known.

@@ -125,9 +125,8 @@ void add_lower_levels(const Shader& control, Offers& offers) {
         for (const int value : values) {
             const glsl::Node& n = control.at(value);
             if (!control.own(value)) return;
-            const glsl::Type real{.base = glsl::Base::real};
             const std::string text = control.text(value);
-            edits.push_back({control.span(value), literal(share, real) + "*" + (closed(n) ? text : "(" + text + ")")});
+            edits.push_back({control.span(value), real_literal(share) + "*" + (closed(n) ? text : "(" + text + ")")});
         }
         offers.add(ChangeKind::lower_levels, control.span(control.parent(values.front())), std::move(edits));
     }

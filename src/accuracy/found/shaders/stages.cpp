@@ -57,7 +57,7 @@ public:
 
 private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-    const Function& main() const { return v_.unit.functions[at(to_)]; }
+    const Function& main() const { return v_.function(to_); }
 
     // Both are main functions of the stages' own files, and the vertex shader's runs to its end.
     bool usable() const {
@@ -65,7 +65,7 @@ private:
         const int open = main().open, close = main().close;
         if (!v_.own(open, open) || !v_.own(close, close)) return false;
         if (v_.token(open).file != 0 || v_.token(close).file != 0) return false;
-        if (f_.token(f_.unit.functions[at(from_)].open).file != 0) return false;
+        if (f_.token(f_.function(from_).open).file != 0) return false;
         for (int k = open; k < close; ++k)
             if (v_.token(k).text == "return") return false;
         return true;
@@ -155,11 +155,6 @@ private:
         return work.varies ? work.calls > 0 || work.operations > 2 : work.calls > 0;
     }
 
-    // How a stage writes varyings.
-    static bool old_words(const Shader& s) {
-        return ranges::any_of(s.unit.globals, [](const Global& g) { return g.qualifiers.varying; });
-    }
-
     void offer(ChangeKind kind, const std::vector<int>& nodes) {
         std::vector<Edit> edits;
         std::set<std::string_view> uniforms;
@@ -171,8 +166,8 @@ private:
             const std::string_view type = f_.at(n).type.name;
             edits.push_back({f_.span(n), name});
             shown.push_back(f_.span(n));
-            inputs += fmt::format("{} {} {};\n", old_words(f_) ? "varying" : "in", type, name);
-            outputs += fmt::format("{} {} {};\n", old_words(v_) ? "varying" : "out", type, name);
+            inputs += fmt::format("{} {} {};\n", varying_word(f_, "in"), type, name);
+            outputs += fmt::format("{} {} {};\n", varying_word(v_, "out"), type, name);
             statements += fmt::format("    {} = {};\n", name, works_[at(n)].text);
             uniforms_of(n, uniforms);
         }

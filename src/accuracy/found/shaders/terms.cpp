@@ -87,7 +87,7 @@ private:
         search(sides[1]);
         if (!costs(sides[1]) || !s_.own(node)) return;
         const int first = s_.at(inside).first;
-        if (!can_go(s_.unit, s_.unit.functions[static_cast<std::size_t>(s_.function_of(first))], first, true)) return;
+        if (!can_go(s_.unit, s_.function(s_.function_of(first)), first, true)) return;
         // Where an `if` holds nothing else, its semicolon stays.
         const std::string_view before = s_.token(s_.at(node).first - 1).text;
         const bool alone = before != ";" && before != "{" && before != "}";
@@ -170,12 +170,6 @@ void sum_texels(const content::Image& image, std::array<double, 4>& sum, std::si
         for (std::size_t c = 0; c < 4; ++c) sum[c] += static_cast<double>(content::value_at(image, 4 * t + c));
 }
 
-std::string four_digits(double value) {
-    std::string text = fmt::format("{:.4g}", value);
-    if (text.find_first_of(".en") == std::string::npos) text += '.';
-    return text;
-}
-
 class Lookups {
 public:
     Lookups(const Shader& shader, Means& means, Offers& offers) : s_(shader), means_(means), offers_(offers) {}
@@ -213,11 +207,11 @@ private:
         // A parameter: what all calls hand on.
         const int function = s_.function_of(n.first);
         if (function < 0) return false;
-        const auto& parameters = s_.unit.functions[static_cast<std::size_t>(function)].parameters;
+        const auto& parameters = s_.function(function).parameters;
         const auto is_it = [&](const glsl::Parameter& p) { return p.variable == n.variable; };
         const auto which = static_cast<std::size_t>(ranges::find_if(parameters, is_it) - parameters.begin());
         if (which >= parameters.size()) return false;
-        const std::string_view name = s_.unit.functions[static_cast<std::size_t>(function)].name;
+        const std::string_view name = s_.function(function).name;
         for (int k = 0; k < s_.nodes(); ++k) {
             const Node& call = s_.at(k);
             if (call.form != Form::call || call.text != name) continue;
@@ -248,10 +242,10 @@ private:
     void mean(int call, Index texture) {
         const auto& mean = means_.of(texture);
         if (!mean) return;
-        const auto& m = *mean;
+        std::vector<std::string> channels;
+        for (const double channel : *mean) channels.push_back(real_literal(channel, 4));
         offers_.add(ChangeKind::lookup_mean, s_.span(call),
-                    {{s_.span(call), fmt::format("vec4({}, {}, {}, {})", four_digits(m[0]), four_digits(m[1]),
-                                                 four_digits(m[2]), four_digits(m[3]))}});
+                    {{s_.span(call), fmt::format("vec4({})", fmt::join(channels, ", "))}});
     }
 
     const Shader& s_;

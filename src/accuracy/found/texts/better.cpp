@@ -3,7 +3,6 @@
 #include <map>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/texts/physics.h"
 #include "src/accuracy/found/texts/texts.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/lint.h"
@@ -295,7 +294,7 @@ private:
     // The token behind which everything in the coordinate has its value, outside of all branches; nothing if
     // there is none before the first branch. The coordinate is in main.
     static std::optional<int> defined_from(const Shader& s, const Expression& coordinate) {
-        const glsl::Function& main = s.unit.functions[static_cast<std::size_t>(s.main())];
+        const glsl::Function& main = s.function(s.main());
         int from = main.open, branch = coordinate.first();
         std::vector<int> writes;  // nodes of main
         for (int n = 0; n < s.nodes(); ++n) {

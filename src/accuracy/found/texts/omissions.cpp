@@ -152,7 +152,7 @@ private:
     // Without the statement, nothing is left without a value: on some drivers it would be 0, and no pixel would change.
     static bool may_go(const Shader& shader, const Expression& e) {
         const glsl::Unit& unit = shader.unit;
-        const auto& function = unit.functions[static_cast<std::size_t>(shader.function_of(e.first()))];
+        const auto& function = shader.function(shader.function_of(e.first()));
         if (e.call()) {
             std::set<std::string_view> written = arguments_written(shader, e), seen;
             add_written(unit, e.text(), written, seen);
@@ -208,7 +208,7 @@ private:
     // Whether anything but its declarator names the variable, which may be hidden in another branch of the text.
     static bool read(const Shader& shader, int declarator) {
         const glsl::Node& n = shader.at(declarator);
-        const glsl::Function& f = shader.unit.functions[static_cast<std::size_t>(shader.function_of(n.first))];
+        const glsl::Function& f = shader.function(shader.function_of(n.first));
         for (int k = f.open; k < f.close; ++k)
             if (k != n.first && shader.token(k).text == n.text) return true;
         return shader.unit.has_conditionals;

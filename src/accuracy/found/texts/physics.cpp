@@ -1,4 +1,4 @@
-#include "src/accuracy/found/texts/physics.h"
+#include "src/accuracy/found/texts/texts.h"
 
 #include <fmt/format.h>
 
@@ -110,7 +110,7 @@ private:
         std::string index;
         if (const auto value = found->f0.number()) {
             if (*value < 0 || *value >= 1) return;
-            index = literal((1 + std::sqrt(*value)) / (1 - std::sqrt(*value)), {.base = glsl::Base::real}, 5);
+            index = real_literal((1 + std::sqrt(*value)) / (1 - std::sqrt(*value)), 5);
         } else {
             index = fmt::format("(1. + sqrt({0})) / (1. - sqrt({0}))", to_.text(*f0));
         }

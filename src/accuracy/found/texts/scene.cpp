@@ -7,6 +7,7 @@
 #include "parser/read/syntax.h"
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/accuracy/found/texts/texts.h"
 
@@ -74,7 +75,6 @@ public:
           scene_(reading.plan.scene),
           files_(reading.files),
           shaders_(reading.shaders),
-          sources_(reading.sources),
           all_(statements(reading.files, reading.sources)),
           to_(reading.files, reading.sources, changes, most_scene_changes) {}
 
@@ -110,7 +110,7 @@ private:
             if (!read_number(to_.text(at.arguments[i])).usable()) return {};
             if (wanted[i] != fields[i].value) edits.push_back({at.arguments[i], text});
         }
-        if (!added.empty()) edits.push_back({{at.span.file, at.span.end, at.span.end}, added});
+        if (!added.empty()) edits.push_back(after(at.span, added));
         return edits;
     }
 
@@ -246,28 +246,25 @@ private:
                 insert_line(ChangeKind::smaller_noise, all_.front().span, std::string(command) + " " + number);
                 continue;
             }
-            const Span end{found->span.file, found->span.end, found->span.end};
-            const Edit edit = found->arguments.empty() ? Edit{end, " " + number} : Edit{found->arguments[0], number};
+            const Edit edit =
+                found->arguments.empty() ? after(found->span, " " + number) : Edit{found->arguments[0], number};
             to_.add(ChangeKind::smaller_noise, found->span, {edit});
         }
     }
 
-    Edit line_before(Span statement, std::string_view line) const {
-        const Span at{statement.file, statement.begin, statement.begin};
-        return {at, std::string(line) + std::string(line_end(sources_.text(at.file)))};
+    static Edit line_before(Span statement, std::string_view line) {
+        return before(statement, std::string(line) + "\n");
     }
     // Behind the lines of the statement, of which the last may have nothing.
-    Edit line_after(Span statement, std::string_view line) const {
-        const std::string_view all = sources_.text(statement.file);
-        const std::string_view next = line_end(all);
-        std::size_t end = end_of_lines(all, statement.end);
-        const bool last = end == all.size();
-        if (!last) end += all.substr(end, 2) == "\r\n" ? 2 : 1;
-        const auto at = static_cast<std::uint32_t>(end);
-        return {{statement.file, at, at}, last ? std::string(next).append(line) : std::string(line).append(next)};
+    Edit line_after(Span statement, const std::string& line) const {
+        const std::string_view all = to_.sources().text(statement.file);
+        const std::size_t end = end_of_lines(all, statement.end);
+        if (end == all.size()) return insertion(statement, static_cast<std::uint32_t>(end), "\n" + line);
+        const std::size_t next = end + (all.substr(end, 2) == "\r\n" ? 2 : 1);
+        return insertion(statement, static_cast<std::uint32_t>(next), line + "\n");
     }
-    void insert_line(ChangeKind kind, Span before, std::string_view line) {
-        const Edit edit = line_before(before, line);
+    void insert_line(ChangeKind kind, Span at, std::string_view line) {
+        const Edit edit = line_before(at, line);
         to_.add(kind, edit.span, {edit});
     }
 
@@ -285,9 +282,8 @@ private:
             if (at.command != "Filter") continue;
             said = true;
             if (at.arguments.empty()) {
-                const Span end{at.span.file, at.span.end, at.span.end};
-                to_.add(ChangeKind::less_filtered, at.span, {{end, " nearest"}});
-                to_.add(ChangeKind::filtered, at.span, {{end, " mipmap"}});
+                to_.add(ChangeKind::less_filtered, at.span, {after(at.span, " nearest")});
+                to_.add(ChangeKind::filtered, at.span, {after(at.span, " mipmap")});
                 continue;
             }
             constexpr std::array<std::string_view, 4> modes{"nearest", "linear", "mipmap", "anisotropic"};
@@ -314,9 +310,7 @@ private:
         constexpr std::string_view no_colours[] = {".hdr",   ".exr",  ".tex",  "normal", "bump", "height",
                                                    "displa", "rough", "noise", "depth",  "mask"};
         return ranges::none_of(texture.files, [&](const FileName& file) {
-            std::string name = file.name.substr(file.name.find_last_of('/') + 1);
-            for (char& c : name)
-                if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+            const std::string name = lowered(file.name.substr(file.name.find_last_of('/') + 1));
             return ranges::any_of(no_colours, [&](std::string_view word) { return name.find(word) != name.npos; });
         });
     }
@@ -336,7 +330,7 @@ private:
             if (!at || !holds_colours(texture) || at->arguments.size() != texture.files.size() + 1) continue;
             if (edits.empty()) where = at->span;
             there = there || is_there(scene_, i, files_);
-            edits.push_back({{at->span.file, at->span.end, at->span.end}, " srgb"});
+            edits.push_back(after(at->span, " srgb"));
         }
         if (!there) return;
         edits.push_back(line_before(all_.front().span, "Output srgb"));
@@ -347,7 +341,6 @@ private:
     const Scene& scene_;
     const Files& files_;
     const std::deque<Shader>& shaders_;
-    const Sources& sources_;
     std::vector<Statement> all_;
     Offers to_;
 };

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/texts/physics.h"
+#include "src/accuracy/found/texts/texts.h"
 
 namespace snell::accuracy::texts {
 
@@ -133,9 +133,7 @@ public:
         edits.push_back(*input);
         if (adds(*include)) edits.push_back(*include);
         const auto vector = [](const Vec3& v) {
-            const glsl::Type real{.base = glsl::Base::real};
-            return fmt::format("vec3({}, {}, {})", literal(v[0], real, 5), literal(v[1], real, 5),
-                               literal(v[2], real, 5));
+            return fmt::format("vec3({}, {}, {})", real_literal(v[0], 5), real_literal(v[1], 5), real_literal(v[2], 5));
         };
         for (const Span& span : lookups) {
             edits.push_back(before(span, "snellBoxDirection(snellPosition, "));
@@ -146,9 +144,7 @@ public:
 
 private:
     static std::string declaration(const Shader& shader, std::string_view direction) {
-        const bool old =
-            ranges::any_of(shader.unit.globals, [](const glsl::Global& g) { return g.qualifiers.varying; });
-        return std::string(old ? "varying" : direction) + " vec3 snellPosition;";
+        return std::string(varying_word(shader, direction)) + " vec3 snellPosition;";
     }
 
     // The vertex shader that hands on to it; null if other stages are between, or there are several.
@@ -181,7 +177,7 @@ private:
             if (g.qualifiers.storage == glsl::Storage::in && is_vertex(g))
                 vertex = g.type.rows == 4 ? std::string(g.name) : fmt::format("vec4({}, 1.)", g.name);
         if (shader.main() < 0) return std::nullopt;
-        const int brace = unit.functions[static_cast<std::size_t>(shader.main())].open;
+        const int brace = shader.function(shader.main()).open;
         const auto open = shader.place(brace, brace);
         const auto output = declared(shader, brace, declaration(shader, "out"));
         const auto model = declared(shader, brace, "uniform mat4 uModelMatrix;");

@@ -71,8 +71,6 @@ bool is_there(const Scene& scene, Index texture, const Files& files) {
     return !texture_identity(scene, texture, files).key.empty();
 }
 
-std::string_view line_end(std::string_view text) { return text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n"; }
-
 // ---- shaders ------------------------------------------------------------------------------------------------
 
 std::optional<Edit> declared(const Shader& shader, int token, std::string_view declaration) {
@@ -82,7 +80,7 @@ std::optional<Edit> declared(const Shader& shader, int token, std::string_view d
     if (!place) return std::nullopt;
     if (ranges::find(shader.unit.globals, name, &glsl::Global::name) != shader.unit.globals.end())
         return before(*place, "");
-    return before(*place, std::string(declaration) + std::string(line_end(shader.sources.text(place->file))));
+    return before(*place, std::string(declaration) + "\n");
 }
 
 std::optional<Edit> included(const Shader& shader, std::string_view file) {
@@ -90,7 +88,7 @@ std::optional<Edit> included(const Shader& shader, std::string_view file) {
     const FileId main = shader.files.front();
     for (const FileId other : shader.files)
         if (shader.sources.name(other) == file) return Edit{{main, 0, 0}, ""};
-    const std::string_view text = shader.sources.text(main), end = line_end(text);
+    const std::string_view text = shader.sources.text(main);
     // Behind #version and #extension, which must be first.
     std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0, next = at;
     for (int line = 1; next < text.size(); ++line) {
@@ -105,8 +103,7 @@ std::optional<Edit> included(const Shader& shader, std::string_view file) {
     }
     const bool open = at > 0 && text[at - 1] != '\n' && at != 3;
     const auto offset = static_cast<std::uint32_t>(at);
-    return Edit{{main, offset, offset},
-                std::string(open ? end : "") + "#include <" + std::string(file) + ">" + std::string(end)};
+    return Edit{{main, offset, offset}, (open ? "\n#include <" : "#include <") + std::string(file) + ">\n"};
 }
 
 }  // namespace snell::accuracy::texts

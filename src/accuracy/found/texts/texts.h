@@ -25,8 +25,6 @@ std::vector<Statement> statements(const Files& files, const Sources& sources);
 const Statement* statement_at(const std::vector<Statement>& all, Span place);
 // Whether all files of the texture are there, or of the one that it is computed from.
 bool is_there(const Scene& scene, Index texture, const Files& files);
-// "\r\n" or "\n", as the text has it.
-std::string_view line_end(std::string_view text);
 
 // Declares a global variable before the function around the token. The edit is empty if the shader has it, and there is
 // none if there is no place for it.
@@ -37,5 +35,11 @@ inline bool adds(const Edit& edit) { return !edit.text.empty(); }
 inline std::optional<Span> place_of(const Shader& shader, const Expression& e) {
     return shader.place(e.first(), e.last());
 }
+
+// Better changes that no lint finds: exact Fresnel equations for Schlick's formula; then add_surroundings.
+void add_physics(const Reading& reading, const std::vector<Span>& eye_space, Offers& to);
+// Both interfaces of balls of glass, and rooms that are near. `eye_space`: lookups by directions in eye coordinates,
+// which no room can mend.
+void add_surroundings(const Reading& reading, const std::vector<Span>& eye_space, Offers& to);
 
 }  // namespace snell::accuracy::texts

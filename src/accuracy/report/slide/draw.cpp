@@ -87,9 +87,8 @@ SlideFile draw_slide(const Slide& slide, SlideFormat format) {
 
 std::string slide_element(const Slide& slide) {
     if (slide.plot.points.empty() && slide.columns.empty()) return {};
-    return slide_svg(slide,
-                     "class=\"slide\" role=\"img\" aria-label=\"Error against time, and where the pictures differ "
-                     "most\"");
+    return slide_svg(
+        slide, "class=\"slide\" role=\"img\" aria-label=\"Error against time, and where the pictures differ most\"");
 }
 
 std::optional<SlideFormat> slide_format(std::string_view path) {

@@ -77,16 +77,11 @@ std::function<void(Controls&, const Scene&)> values_of(const ExplainOptions& opt
     };
 }
 
-// The scene with programs for other sets of values.
-struct ComparedScenes {
-    std::vector<std::unique_ptr<Document>> documents;  // which share what they can with the scene
-    std::vector<Comparison> comparisons;
-};
-
-// With programs for any values, and for all values but one that switches something off; as many as there is time for.
-ComparedScenes compare(ExplainReport& report, const Document& document, const ExplainOptions& options,
-                       const Frame& frame, const Surface& surface, const Running& running) {
-    ComparedScenes compared;
+// The scene with programs for any values, and for all values but one that switches something off; as many as there is
+// time for. They share what they can with the scene.
+std::vector<Comparison> compare(ExplainReport& report, const Document& document, const ExplainOptions& options,
+                                const Frame& frame, const Surface& surface, const Running& running) {
+    std::vector<Comparison> compared;
     const double until = running.watch.milliseconds() + .5 * time_left(options, running);
     const auto add = [&](std::function<void(Controls&, const Scene&)> settle, std::optional<FrameCost>& saved) {
         if (running.watch.milliseconds() > until) return;
@@ -98,8 +93,7 @@ ComparedScenes compare(ExplainReport& report, const Document& document, const Ex
         if (!other->runtime) return;
         other->runtime->draw(frame, surface);
         gl::finish();
-        compared.comparisons.push_back({&*other->runtime, &saved});
-        compared.documents.push_back(std::move(other));
+        compared.push_back({std::move(other), &saved});
     };
     auto& rows = report.explanation.switched_off;
     if (!rows.empty()) add(nullptr, report.saved);
@@ -111,7 +105,7 @@ ComparedScenes compare(ExplainReport& report, const Document& document, const Ex
 // `took`: milliseconds of a frame.
 void time_all(ExplainReport& report, Document& document, const ExplainOptions& options, const Frame& frame,
               const Surface& surface, double took, const Running& running) {
-    const ComparedScenes compared = compare(report, document, options, frame, surface, running);
+    const std::vector<Comparison> compared = compare(report, document, options, frame, surface, running);
     running.progress.begin();
     time_frames(report, *document.runtime, frame, surface,
                 {options.rounds, time_left(options, running), took,
@@ -119,7 +113,7 @@ void time_all(ExplainReport& report, Document& document, const ExplainOptions& o
                      running.progress.show(fmt::format("timing frames: round {} of {}", round + 1, options.rounds),
                                            share);
                  }},
-                compared.comparisons);
+                compared);
     running.progress.clear();
     if (report.clock.empty())
         fmt::print(stderr,
@@ -330,7 +324,8 @@ std::vector<Timed> timed_parts(Explanation& explanation, Runtime& runtime, std::
         for (const Index draw : paid.draws) hidden[draw] = true;
         parts.push_back({&runtime, std::move(hidden), &paid.frame, false});
     }
-    for (const Comparison& comparison : comparisons) parts.push_back({comparison.runtime, {}, comparison.saved, true});
+    for (const Comparison& comparison : comparisons)
+        parts.push_back({&*comparison.document->runtime, {}, comparison.saved, true});
     return parts;
 }
 

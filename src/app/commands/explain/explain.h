@@ -9,6 +9,7 @@
 
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
+#include "src/document/document.h"
 #include "src/gl/caps.h"
 #include "src/runtime/explain.h"
 #include "src/runtime/runtime.h"
@@ -61,9 +62,9 @@ struct Timing {
     std::function<void(int round, double share)> report;  // called before each frame; share: 0 to 1
 };
 
-// A runtime of the same scene whose programs take more values. `saved` gets what its frames take more.
+// The same scene with programs that take more values. `saved` gets what its frames take more.
 struct Comparison {
-    Runtime* runtime;
+    std::unique_ptr<Document> document;
     std::optional<FrameCost>* saved;
 };
 

@@ -88,15 +88,13 @@ std::string write_report(const Grades& grades, const std::vector<Alike>& alike, 
 
 std::string shown_text(std::string_view text) {
     std::string shown;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
+    for (const std::string_view part : split(text, '\n')) {
         std::string line;
-        for (const char c : text.substr(at, end - at)) line += c == '\t' ? std::string(4, ' ') : std::string(1, c);
+        for (const char c : part) line += c == '\t' ? std::string(4, ' ') : std::string(1, c);
         if (line.ends_with('\r')) line.pop_back();
-        shown += content::escaped(utf8::printable(line));
-        if (end < text.size()) shown += '\n';
-        at = end + 1;
+        shown += content::escaped(utf8::printable(line)) + '\n';
     }
+    if (!text.ends_with('\n') && !shown.empty()) shown.pop_back();
     return shown;
 }
 
@@ -387,10 +385,10 @@ std::string index_page(const Grades& grades, const std::vector<Alike>& alike) {
     double sum = 0;
     for (const GradedSubmission& graded : grades.all) sum += graded.record.points();
     std::string body = fmt::format(
-        "<h1>{}</h1>\n<p>{} submissions, {} points at most, {} on average. <a href=\"results.csv\">results.csv</a>, <a "
+        "<h1>{}</h1>\n<p>{}, {} points at most, {} on average. <a href=\"results.csv\">results.csv</a>, <a "
         "href=\"results.json\">results.json</a>, <a href=\"junit.xml\">junit.xml</a>, <a href=\"#similar\">similar "
         "shaders</a></p>\n",
-        shown_text(title), grades.all.size(), points_text(rubric.points()),
+        shown_text(title), counted(grades.all.size(), "submission"), points_text(rubric.points()),
         points_text(grades.all.empty() ? 0 : sum / static_cast<double>(grades.all.size())));
     body += about_reference(grades);
     Table table{{{"Picture", CellKind::words}, {"Submission", CellKind::words}, {"Points"}}, {}, true};
@@ -449,11 +447,11 @@ std::string alike_page(const Grades& grades, const Alike& alike) {
     const std::string about =
         equal ? fmt::format("{}. The first two are shown.", shown_text(names_text(grades, alike, ", ")))
               : fmt::format("{:.0f} % of the shorter one's fingerprints are in the other one, too.", 100 * alike.share);
-    return page_of(title, fmt::format("<h1>{}</h1>\n<p>{} Marked lines hold what they have in common. This is a hint "
-                                      "for a person to look at. <a href=\"../index.html\">Results</a></p>\n<div "
-                                      "class=\"sides\">{}{}</div>\n",
-                                      shown_text(title), about, side(grades.all[alike.who[0]], alike),
-                                      side(grades.all[alike.who[1]], alike)));
+    return page_of(
+        title, fmt::format("<h1>{}</h1>\n<p>{} Marked lines hold what they have in common. This is a hint for a person "
+                           "to look at. <a href=\"../index.html\">Results</a></p>\n<div class=\"sides\">{}{}</div>\n",
+                           shown_text(title), about, side(grades.all[alike.who[0]], alike),
+                           side(grades.all[alike.who[1]], alike)));
 }
 
 std::set<std::uint64_t> handed_out(const Rubric& rubric) {
