@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -274,11 +275,7 @@ std::vector<double> gaussian(double b, double pixels_per_degree, int radius) {
     return kernel;
 }
 
-double sum_of(const std::vector<double>& kernel) {
-    double sum = 0;
-    for (double weight : kernel) sum += weight;
-    return sum;
-}
+double sum_of(const std::vector<double>& kernel) { return std::accumulate(kernel.begin(), kernel.end(), 0.); }
 
 // Filters a channel by the eye's contrast sensitivity: a sum of two Gaussians with weights a and widths b.
 Plane behind_eye(const Plane& in, std::array<double, 2> a, std::array<double, 2> b, double pixels_per_degree) {
@@ -359,10 +356,6 @@ std::array<Plane, 3> opponent_planes(const Picture& picture) {
     return planes;
 }
 
-bool finite(const Picture& picture, std::size_t pixel) {
-    return ranges::all_of(std::span(picture.rgba).subspan(4 * pixel, 3), [](float v) { return std::isfinite(v); });
-}
-
 // Large colour differences, which are all equally bad, are compressed to the last twentieth of the scale.
 double compressed(double difference, double largest) {
     constexpr double exponent = .7, knee = .4, share = .95;
@@ -393,7 +386,7 @@ std::vector<float> flip_map(const Picture& picture, const Picture& reference, do
             std::max(std::abs(edge_a.values[p] - edge_b.values[p]), std::abs(point_a.values[p] - point_b.values[p]));
         const double amplify = std::min(std::sqrt(static_cast<double>(feature) / std::numbers::sqrt2), 1.0);
         map[p] = static_cast<float>(color > 0 ? std::pow(color, 1 - amplify) : 0);
-        if (finite(picture, p) != finite(reference, p)) map[p] = 1;
+        if (finite3(&picture.rgba[4 * p]) != finite3(&reference.rgba[4 * p])) map[p] = 1;
     }
     return map;
 }

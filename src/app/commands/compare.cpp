@@ -12,6 +12,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/accuracy/difference.h"
+#include "src/accuracy/report/report.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/complain.h"
@@ -183,9 +184,7 @@ std::optional<Compared> nearest_of(const CompareOptions& options, Pictures& pict
 }
 
 nlohmann::ordered_json compared_figures(const accuracy::Figures& f) {
-    const auto number = [](double value) {  // JSON has no infinity
-        return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-    };
+    using accuracy::number;
     return {{"rmse", number(f.rmse)}, {"psnr", number(f.psnr)}, {"max", number(f.max)}, {"mean", number(f.mean)}};
 }
 

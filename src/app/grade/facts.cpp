@@ -53,12 +53,6 @@ std::string own_name(const std::string& name, const Rubric& rubric, const Docume
     return name;
 }
 
-std::string type_of(const Document& document, const snell::Control& control) {
-    for (const ActiveUniform& uniform : document.runtime->active_uniforms()[control.program])
-        if (uniform.name == control.name) return uniform.glsl_type;
-    return {};
-}
-
 // "" or what is wrong with it.
 std::string missing(const NeededUniform& needed, const Rubric& rubric, const Document& document) {
     const std::string name = own_name(needed.name, rubric, document);
@@ -125,6 +119,12 @@ std::string tried_values(const snell::Control& slider) {
 }
 
 }  // namespace
+
+std::string type_of(const Document& document, const snell::Control& control) {
+    for (const ActiveUniform& uniform : document.runtime->active_uniforms()[control.program])
+        if (uniform.name == control.name) return uniform.glsl_type;
+    return {};
+}
 
 UsedCommands used_commands(const std::string& scene, const Access& access) {
     Files files(scene_folder(scene), access);

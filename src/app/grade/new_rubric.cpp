@@ -118,12 +118,6 @@ private:
         return found;
     }
 
-    std::string type_name(const snell::Control& control) const {
-        for (const ActiveUniform& uniform : document_->runtime->active_uniforms()[control.program])
-            if (uniform.name == control.name) return uniform.glsl_type;
-        return "float";
-    }
-
     std::string uniforms() const {
         const auto all = sliders();
         if (all.empty()) return {};
@@ -132,11 +126,11 @@ private:
             "= "
             "\"Uniforms\"\npoints = 2\n[item.uniforms]\n";
         for (const snell::Control* control : all)
-            text +=
-                fmt::format("{} = {}\n", toml_key(control->name),
-                            toml_text(control->widget == Widget::slider
-                                          ? fmt::format("{} {}..{}", type_name(*control), control->min, control->max)
-                                          : type_name(*control)));
+            text += fmt::format(
+                "{} = {}\n", toml_key(control->name),
+                toml_text(control->widget == Widget::slider
+                              ? fmt::format("{} {}..{}", type_of(*document_, *control), control->min, control->max)
+                              : type_of(*document_, *control)));
         return text;
     }
 

@@ -87,11 +87,23 @@ std::string write_record(const std::string& folder, const Record& record) {
     return content::replace_file(record_file(folder), content::json_text(json) + '\n');
 }
 
-Record read_record(const std::string& folder, const Rubric& rubric) {
+namespace {
+
+// Null if there is none.
+Json record_in(const std::string& folder) {
     std::error_code error;
-    if (!fs::is_regular_file(record_file(folder), error)) return {};
+    const std::string file = record_file(folder);
+    if (!fs::is_regular_file(file, error)) return {};
+    Json json = content::parse_json(content::whole_file(file));
+    return json.is_object() && json.contains("schema") && json.contains("key") ? json : Json{};
+}
+
+}  // namespace
+
+Record read_record(const std::string& folder, const Rubric& rubric) {
+    const Json json = record_in(folder);
+    if (json.is_null()) return {};
     try {
-        const Json json = content::parse_json(content::whole_file(record_file(folder)));
         Record record;
         each_field(record, [&json](const char* name, auto& value) { json.at(name).get_to(value); });
         const bool fits = record.items.size() == rubric.items.size() && record.drawn.size() == rubric.pictures.size() &&
@@ -108,18 +120,6 @@ Record read_record(const std::string& folder, const Rubric& rubric) {
 namespace {
 
 constexpr std::string_view lock_name = ".lock";
-
-Json record_in(const fs::path& folder) {
-    std::error_code error;
-    const std::string file = record_file(folder.string());
-    if (!fs::is_regular_file(file, error)) return {};
-    try {
-        Json json = content::parse_json(content::whole_file(file));
-        return json.is_object() && json.contains("schema") && json.contains("key") ? json : Json{};
-    } catch (const nlohmann::json::exception&) {
-        return {};
-    }
-}
 
 // The record of a submission or the reference, and its pictures.
 bool is_made_by_judging(const std::string& name) {
@@ -144,7 +144,7 @@ bool is_report_page(const fs::path& page) {
 bool is_of_a_submission(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_directory(fs::symlink_status(folder, error))) return false;
-    if (!record_in(folder).is_null()) return true;
+    if (!record_in(folder.string()).is_null()) return true;
     return is_report_page(folder / "index.html");
 }
 
