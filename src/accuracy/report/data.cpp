@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -54,9 +55,7 @@ std::string cell(std::string_view words) { return std::string(words); }
 // The ends of an interval; empty if it is not known.
 std::string low_cell(const Interval& of) { return of.known() ? cell(of.low) : ""; }
 std::string high_cell(const Interval& of) { return of.known() ? cell(of.high) : ""; }
-std::string cell(bool value) { return value ? "1" : "0"; }
-std::string cell(std::size_t value) { return std::to_string(value); }
-std::string cell(int value) { return std::to_string(value); }
+std::string cell(std::integral auto value) { return std::to_string(value); }
 
 struct Row {
     const Circumstances& where;

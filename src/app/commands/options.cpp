@@ -46,6 +46,12 @@ std::string check_context(const std::string& text) {
     return parse_context(text, request) ? "" : "'" + text + "' is not a version such as 3.3, 4.5 or es3.2";
 }
 
+CLI::Option* repeated(CLI::Option* option) {
+    return option->expected(1)
+        ->allow_extra_args(false)  // otherwise an option in front of the scene's name takes the name, too
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 // By the clock of files. A time in the future does not count as an edit.
 bool written_between(const std::string& path, fs::file_time_type begin, fs::file_time_type end) {
     std::error_code error;
@@ -86,10 +92,7 @@ std::string check_file_name(const std::string& text) { return text.empty() ? "th
 
 CLI::Option* add_repeated(CLI::App& command, const std::string& name, std::vector<std::string>& values,
                           const std::string& text) {
-    return command.add_option(name, values, text)
-        ->expected(1)
-        ->allow_extra_args(false)  // otherwise an option in front of the scene's name takes the name, too
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    return repeated(command.add_option(name, values, text));
 }
 
 CLI::Option* add_size(CLI::App& command, Size& size, const std::string& text) {
@@ -100,17 +103,12 @@ CLI::Option* add_size(CLI::App& command, Size& size, const std::string& text) {
 }
 
 void add_limits(CLI::App& command, Limits& limits) {
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--limit",
-            [&limits](const std::vector<std::string>& values) {
-                std::string checked;
-                for (const std::string& value : values) set_limit(limits, value, checked);
-            },
-            "change a limit on what a scene may use; may be repeated")
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+    const auto set = [&limits](const std::vector<std::string>& values) {
+        std::string checked;
+        for (const std::string& value : values) set_limit(limits, value, checked);
+    };
+    repeated(command.add_option_function<std::vector<std::string>>(
+                 "--limit", set, "change a limit on what a scene may use; may be repeated"))
         ->check(check_limit);
 }
 

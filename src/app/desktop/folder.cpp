@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <utility>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -145,12 +144,7 @@ std::string only_scene(const std::string& path) {
     return (fs::path(path) / fs::path(scene->path).filename()).string();
 }
 
-std::string thumbnails_folder() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache && *cache == '/') return std::string(cache) + "/snell/thumbnails";
-    const char* home = std::getenv("HOME");
-    return home && *home == '/' ? std::string(home) + "/.cache/snell/thumbnails" : std::string();
-}
+std::string thumbnails_folder() { return own_place("XDG_CACHE_HOME", "/.cache", "/snell/thumbnails"); }
 
 std::string thumbnail_file(const std::string& folder, const std::string& scene) {
     return named_by(folder, scene, "png");
@@ -161,12 +155,7 @@ void keep_thumbnail(const std::string& folder, const std::string& scene, const c
     std::error_code error;
     fs::create_directories(folder, error);
     content::replace_file(thumbnail_file(folder, scene), content::encode_png(picture));
-    std::vector<std::pair<fs::file_time_type, fs::path>> found;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().extension() == ".png") found.emplace_back(entry->last_write_time(error), entry->path());
-    if (found.size() <= most_thumbnails) return;
-    ranges::sort(found);
-    for (std::size_t i = 0; i + most_thumbnails < found.size(); ++i) fs::remove(found[i].second, error);
+    remove_oldest(folder, ".png", most_thumbnails);
 }
 
 std::optional<content::Image> read_thumbnail(const std::string& folder, const std::string& scene) {

@@ -1,6 +1,7 @@
 #include "src/app/desktop/kept_scenes.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -24,21 +25,6 @@ std::string kept_file(const std::string& folder, const std::string& name) { retu
 // Its own first line, what was chosen, an empty line, and what the text said.
 std::string text_of(const std::string& name, const Remembered& kept) {
     return fmt::format("scene {}\n{}\n{}", utf8::printable(name), setup_text(kept.chosen), setup_text(kept.written));
-}
-
-// Other windows may remove files at the same time.
-void remove_oldest(const std::string& folder) {
-    std::vector<std::pair<fs::file_time_type, fs::path>> files;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        std::error_code gone;
-        const fs::file_time_type time = entry->last_write_time(gone);
-        if (!gone && entry->path().extension() == ".txt") files.emplace_back(time, entry->path());
-    }
-    if (files.size() <= most_kept_scenes) return;
-    ranges::sort(files);
-    files.resize(files.size() - most_kept_scenes);
-    for (const auto& [time, path] : files) fs::remove(path, error);
 }
 
 }  // namespace
@@ -80,8 +66,29 @@ std::string write_kept(const std::string& folder, const std::string& scene, cons
     fs::create_directories(folder, error);
     const bool fresh = !fs::exists(file, error);
     std::string wrong = content::replace_file(file, text);
-    if (fresh && wrong.empty()) remove_oldest(folder);
+    if (fresh && wrong.empty()) remove_oldest(folder, ".txt", most_kept_scenes);
     return wrong;
+}
+
+std::string own_place(const char* variable, const std::string& at_home, const std::string& name) {
+    const char* folder = std::getenv(variable);
+    if (folder && *folder == '/') return std::string(folder) + name;
+    const char* home = std::getenv("HOME");
+    return home && *home == '/' ? home + at_home + name : std::string();
+}
+
+void remove_oldest(const std::string& folder, std::string_view extension, std::size_t most) {
+    std::vector<std::pair<fs::file_time_type, fs::path>> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code gone;  // other windows may remove files at the same time
+        const fs::file_time_type time = entry->last_write_time(gone);
+        if (!gone && entry->path().extension() == extension) files.emplace_back(time, entry->path());
+    }
+    if (files.size() <= most) return;
+    ranges::sort(files);
+    files.resize(files.size() - most);
+    for (const auto& [time, path] : files) fs::remove(path, error);
 }
 
 std::string named_by(const std::string& folder, std::string_view path, std::string_view extension) {

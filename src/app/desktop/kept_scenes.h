@@ -2,6 +2,7 @@
 // settings.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,7 +26,14 @@ Remembered read_kept(const std::string& folder, const std::string& scene);
 // time. Returns "" or the error.
 std::string write_kept(const std::string& folder, const std::string& scene, const Remembered& kept);
 
-// Files of the program's own about a path, in a folder of its own.
+// Files of the program's own, in folders of its own.
+
+// The place with that name, which begins with a slash, in the folder of the environment's variable; without it, in that
+// folder at home; "" if there is no home, either.
+std::string own_place(const char* variable, const std::string& at_home, const std::string& name);
+
+// Removes all but the newest ones of the files with that extension, such as ".txt".
+void remove_oldest(const std::string& folder, std::string_view extension, std::size_t most);
 
 // The file in the folder that belongs to the path, such as "/home/ann/.cache/x/00c0ffee00c0ffee.png": the same in every
 // version of the program. `extension` is without the dot.

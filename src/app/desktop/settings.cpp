@@ -1,12 +1,12 @@
 #include "src/app/desktop/settings.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/app/desktop/kept_scenes.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
 #include "src/content/text_forms.h"
@@ -49,12 +49,7 @@ std::vector<std::string> texts(const Json& json, const char* name, std::size_t m
 
 }  // namespace
 
-std::string settings_file() {
-    const char* state = std::getenv("XDG_STATE_HOME");
-    if (state && *state == '/') return std::string(state) + "/snell/window.json";
-    const char* home = std::getenv("HOME");
-    return home && *home == '/' ? std::string(home) + "/.local/state/snell/window.json" : std::string();
-}
+std::string settings_file() { return own_place("XDG_STATE_HOME", "/.local/state", "/snell/window.json"); }
 
 Settings read_settings(const std::string& file) {
     Settings settings;

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
@@ -58,7 +57,7 @@ std::vector<Target> gather(const std::string& scene, const Access& access,
                             shown(named.path));
         std::string wrong;
         std::optional<std::string> bytes = text ? *text.mapped() : files.read(named.path, wrong);
-        if (!bytes) copy.error = fmt::format("cannot read '{}': {}", shown(plain(named.path)), wrong);
+        if (!bytes) copy.error = fmt::format("cannot read '{}': {}", shown_path(named.path), wrong);
         targets.push_back({folder / named.name, std::move(bytes).value_or("")});
     }
     if (!changed.empty() && copy.error.empty())
@@ -187,12 +186,6 @@ std::optional<Way> way_to(const std::string& path, const std::string& folder, co
     return way;
 }
 
-std::string lower_name(const std::string& path) {
-    std::string name = fs::path(path).filename().string();
-    ranges::transform(name, name.begin(), lower);
-    return name;
-}
-
 // As the page sees it (web/page/archive.ts): "C:a.glib" is a drive on other systems.
 bool is_plain(std::string_view name) {
     if (name.size() > 1 && name[1] == ':' && lower(name[0]) >= 'a' && lower(name[0]) <= 'z') return false;
@@ -204,13 +197,11 @@ bool is_plain(std::string_view name) {
     return true;
 }
 
-std::string shown_name(const std::string& path) { return utf8::printable(fs::path(path).lexically_normal().string()); }
-
 std::string one_name(const std::string& a, const std::string& b, std::string_view copy) {
     return fmt::format(
         "'{}' and '{}' have one name, and {} has all files that are not near the scene in the scene's folder: rename "
         "one of them",
-        shown_name(a), shown_name(b), copy);
+        shown_path(a), shown_path(b), copy);
 }
 
 // Two of the files on the disk that a copy could not tell apart; "" where there are none.
@@ -218,8 +209,8 @@ std::string confused(const std::vector<NamedFile>& files, const std::set<std::st
     std::map<std::string, std::string> known;
     for (const NamedFile& file : files) {
         if (!is_plain(file.name))
-            return fmt::format("'{}' has a name that {} cannot hold: rename it", shown_name(file.path), copy);
-        const auto [other, is_new] = known.emplace(lower_name(file.path), file.path);
+            return fmt::format("'{}' has a name that {} cannot hold: rename it", shown_path(file.path), copy);
+        const auto [other, is_new] = known.emplace(lowered(fs::path(file.path).filename().string()), file.path);
         std::error_code error;
         const bool near = !moved.contains(file.path) && !moved.contains(other->second);
         if (!is_new && !near && !fs::equivalent(other->second, file.path, error))
@@ -235,6 +226,8 @@ std::string joined(const Folders& parts, std::size_t from) {
 }
 
 }  // namespace
+
+std::string shown_path(const std::string& path) { return shown(plain(path)); }
 
 std::string marked_path(const std::string& scene) {
     const fs::path path(scene);

@@ -43,6 +43,8 @@ struct CopyNames {
 // Returns a name of the same scene, such that paths that Files resolves from relative names begin with its folder, and
 // those from absolute names do not.
 std::string marked_path(const std::string& scene);
+// A path as messages have it, without the mark of marked_path().
+std::string shown_path(const std::string& path);
 
 // `scene` is a marked_path(), `paths` are those that were resolved for it, the scene's own among them. Files keep their
 // places relative to each other. Files with absolute names, and those more than a few folders above the scene, whose

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <new>
 #include <optional>
 #include <set>
@@ -11,7 +10,6 @@
 #include <zlib.h>
 #include <nlohmann/json.hpp>
 
-#include "parser/text/words.h"
 #include "src/app/open/write_copy.h"
 #include "src/content/image/image.h"
 #include "src/document/document.h"
@@ -28,11 +26,6 @@ struct Used {
     std::set<std::string> images;
     std::string error;
 };
-
-// Without the mark of marked_path().
-std::string shown_path(const std::string& path) {
-    return utf8::printable(std::filesystem::path(path).lexically_normal().string());
-}
 
 Used used_by(const std::string& scene, Files& files) {
     Sources sources;
