@@ -57,16 +57,17 @@ constexpr std::array completion_kinds{3, 20, 12, 17, 19, 10, 9, 3, 6, 21, 7, 14,
 // SymbolKind, in the order of Symbol::Kind.
 constexpr std::array symbol_kinds{3, 5, 7, 10, 22, 19, 20, 17, 12, 13, 14, 23, 8, 21};
 
-// A snippet for editors that know none.
+// A snippet for editors that know none: of a choice, the first.
 std::string plain_text(const std::string& snippet) {
     std::string plain;
     for (std::size_t i = 0; i < snippet.size(); ++i) {
         if (snippet[i] == '\\' && i + 1 < snippet.size()) {
             plain += snippet[++i];
         } else if (snippet[i] == '$' && snippet.compare(i, 2, "${") == 0) {
-            const std::size_t colon = snippet.find_first_of(":}", i), end = snippet.find('}', i);
+            const std::size_t mark = snippet.find_first_of(":|}", i), end = snippet.find('}', i);
             if (end == snippet.npos) break;
-            if (snippet[colon] == ':') plain += snippet.substr(colon + 1, end - colon - 1);
+            const std::size_t last = snippet[mark] == '|' ? snippet.find_first_of(",|", mark + 1) : end;
+            if (mark < end) plain += snippet.substr(mark + 1, last - mark - 1);
             i = end;
         } else if (snippet[i] == '$') {
             while (i + 1 < snippet.size() && snippet[i + 1] >= '0' && snippet[i + 1] <= '9') ++i;

@@ -110,7 +110,7 @@ TEST_F(Accuracy, InterruptedTwiceItLeavesNothingHalf) {
                                     folder.path("r.html") + " --json " + folder.path("r.json") + " > " +
                                     folder.path("out.txt") + " 2> " + folder.path("err.txt");
         const std::string interrupt =
-            " & p=$!; sleep 1.6; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
+            " & p=$!; sleep .8; kill -INT $p; sleep " + std::string(between) + "; kill -INT $p 2>/dev/null; wait $p";
         const int status = std::system((measure + interrupt).c_str());
         killed += WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT ? 1 : 0;
         const std::string html = text("r.html"), json = text("r.json");
@@ -244,9 +244,9 @@ TEST_F(Accuracy, FoundRungsArePlottedToo) {
     folder.write("lit.frag",
                  "#version 330 compatibility\nin vec3 vN;\nvoid main() {\n float c = 0.;\n for (int i = 0; i < 20; "
                  "i++) c += abs(sin(vN.z + float(i))) / 20.;\n gl_FragColor = vec4(vec3(c), 1.);\n}\n");
-    ASSERT_EQ(run("--size 16x16 --reps 7 --budget 1 --knobs samples --svg " + folder.path("k.svg")), 0);
+    ASSERT_EQ(run("--size 16x16 --reps 7 --budget 1 --knobs samples --no-found --svg " + folder.path("k.svg")), 0);
     EXPECT_NE(
-        run("--size 16x16 --reps 7 --budget 4 --svg " + folder.path("p.svg") + " --markdown " + folder.path("p.md")), 2)
+        run("--size 16x16 --reps 7 --budget 2 --svg " + folder.path("p.svg") + " --markdown " + folder.path("p.md")), 2)
         << text("err.txt");
     const std::string page = text("p.md");
     const std::size_t plot = page.find("![found rungs: error over time](p");

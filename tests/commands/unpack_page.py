@@ -15,12 +15,14 @@ import sys
 
 def restored(bytes_, begin, pixel, row):
     """A BMP image, each byte of whose pixels is less what its neighbours foretell, as in PNG."""
-    out = bytearray(bytes_)
-    for i in range(begin, len(out)):
-        left, above, corner = (out[i - d] if i >= begin + d else 0 for d in (pixel, row, row + pixel))
-        guess = left + above - corner
-        out[i] = (out[i] + min((left, above, corner), key=lambda each: abs(guess - each))) % 256
-    return bytes(out)
+    first = row + pixel
+    out = bytearray(first) + bytes_[begin:]
+    for i in range(first, len(out)):
+        left, above, corner = out[i - pixel], out[i - row], out[i - first]
+        by_left, by_above, by_corner = abs(above - corner), abs(left - corner), abs(left + above - 2 * corner)
+        guess = left if by_left <= min(by_above, by_corner) else above if by_above <= by_corner else corner
+        out[i] = (out[i] + guess) % 256
+    return bytes_[:begin] + bytes(out[first:])
 
 
 def main():

@@ -88,10 +88,10 @@ TEST_F(WebGallery, ASceneThatTakesForeverEndsNothingElse) {
                                             "  gl_FragColor = vec4(x);\n}\n");
     folder.write("class/ann/a.glib",
                  "LookAt 0 0 4 0 0 0 0 1 0\nPerspective 90\nFragment slow.frag\nProgram P uOne 1.\nQuadXY 0. 9.\n");
-    const Outcome made = web("--gallery class/ann -o out --timeout 3");
+    const Outcome made = web("--gallery class/ann -o out --timeout 1.5");
     EXPECT_EQ(made.status, 0) << made.output;
     EXPECT_TRUE(made.says("1 of 2 scenes")) << made.output;
-    EXPECT_NE(bytes_of(at("out/index.html")).find("takes longer than 3 seconds"), std::string::npos);
+    EXPECT_NE(bytes_of(at("out/index.html")).find("takes longer than 1.5 seconds"), std::string::npos);
     EXPECT_FALSE(there("out/a.html"));
     EXPECT_TRUE(there("out/ball.html"));
 }

@@ -452,7 +452,7 @@ TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolde
     folder.write("r.toml", head + "[[item]]\nset = { uKd = 0 }\nexpect = \"darker\"\n");
     // One picture takes long enough to end the run while it is drawn.
     scene("s/ann", with(paint, "float d =",
-                        "float x = n.x;\n  for (int i = 0; i < 20000; ++i) x = fract(sin(x) * 43758.5);\n"
+                        "float x = n.x;\n  for (int i = 0; i < 8000; ++i) x = fract(sin(x) * 43758.5);\n"
                         "  float d = min(x, 0.) + "));
     const std::string start =
         "cd '" + folder.path() + "' && touch begun && { " SNELL_BIN "/snell grade r.toml s -o out ";

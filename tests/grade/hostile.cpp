@@ -34,15 +34,18 @@ protected:
                          "[[item]]\nset = { uRed = 0 }\nthan = { uRed = 0, uKd = 0.1 }\n"
                          "expect = \"different\"\n");
     }
-    // An archive with entries of these names, in Python's words.
+    // An archive with entries of these names, in Python's words. Python starts once for all.
     void zip(const std::string& file, const std::string& statements) {
-        const Outcome made =
-            python("import zipfile\nz = zipfile.ZipFile('" + file +
-                   "', 'w', zipfile.ZIP_DEFLATED, compresslevel=1)\n"
-                   "def whole(folder=''):\n"
-                   "  for f in ('ball.glib', 'ball.vert', 'ball.frag'): z.write('reference/' + f, folder + f)\n" +
-                   statements + "\nz.close()\n");
+        archives += "z = zipfile.ZipFile('" + file + "', 'w', zipfile.ZIP_DEFLATED, compresslevel=1)\n" + statements +
+                    "\nz.close()\n";
+    }
+    void make_archives() const {
+        const Outcome made = python(
+            "import tarfile, zipfile\ndef whole(folder=''):\n"
+            "  for f in ('ball.glib', 'ball.vert', 'ball.frag'): z.write('reference/' + f, folder + f)\n" +
+            archives);
         ASSERT_EQ(made.status, 0) << made.output;
+        fs::remove(at("make.py"));
     }
     // As it is in the report: those that are only printed alike have their ids behind it.
     std::string named(const std::string& name) const {
@@ -80,7 +83,7 @@ protected:
 
     const std::string markup = "<img src=x onerror=alert(1)>&\"'";
     static constexpr double all = 7;
-    std::string said;
+    std::string said, archives;
 };
 
 std::vector<Verdict> HostileSubmission::archives_and_folders() {
@@ -102,15 +105,12 @@ std::vector<Verdict> HostileSubmission::archives_that_lead_out() {
         "z.writestr(n, 'x')\n"
         "i = zipfile.ZipInfo('link'); i.create_system = 3; i.external_attr = 0o120777 << 16\nz.writestr(i, "
         "'/etc/passwd')");
-    EXPECT_EQ(
-        python(
-            "import tarfile\nt = tarfile.open('s/links.tar', 'w')\nfor f in ('ball.glib', 'ball.vert', 'ball.frag'):\n"
-            "  t.add('reference/' + f, f)\ni = tarfile.TarInfo('out'); i.type = tarfile.SYMTYPE; i.linkname = '/tmp'\n"
-            "t.addfile(i)\ni = tarfile.TarInfo('out/snell-evil-link'); t.addfile(i)\n"
-            "i = tarfile.TarInfo('hard'); i.type = tarfile.LNKTYPE; i.linkname = '../../../secret.txt'; "
-            "t.addfile(i)\nt.close()\n")
-            .status,
-        0);
+    archives +=
+        "t = tarfile.open('s/links.tar', 'w')\nfor f in ('ball.glib', 'ball.vert', 'ball.frag'):\n"
+        "  t.add('reference/' + f, f)\ni = tarfile.TarInfo('out'); i.type = tarfile.SYMTYPE; i.linkname = '/tmp'\n"
+        "t.addfile(i)\ni = tarfile.TarInfo('out/snell-evil-link'); t.addfile(i)\n"
+        "i = tarfile.TarInfo('hard'); i.type = tarfile.LNKTYPE; i.linkname = '../../../secret.txt'; "
+        "t.addfile(i)\nt.close()\n";
     // libarchive would run `lrzip` to read it.
     folder.write("s/other.tar.gz", std::string("LRZI\0\6\0\0\0\0", 10) + std::string(4096, '\0'));
     folder.write("bin/lrzip", "#!/bin/sh\ntouch '" + at("ran") + "'\n");
@@ -123,7 +123,10 @@ std::vector<Verdict> HostileSubmission::archives_that_lead_out() {
 std::vector<Verdict> HostileSubmission::archives_without_end() {
     zip("s/bomb.zip",
         "with z.open('zeros', 'w', force_zip64=True) as f:\n  for i in range(300): f.write(bytes(1 << 20))");
-    folder.write("s/torn.zip", bytes_of(at("s/bomb.zip")).substr(0, 500));
+    archives += "open('s/torn.zip', 'wb').write(open('s/bomb.zip', 'rb').read(500))\n";
+    zip("s/flipped.zip", "z.writestr(zipfile.ZipInfo('a'), 'QQQQ'); whole()");  // its sum is not that of its bytes
+    archives +=
+        "b = open('s/flipped.zip', 'rb').read()\nopen('s/flipped.zip', 'wb').write(b.replace(b'QQQQ', b'QQRQ'))\n";
     folder.write("s/none.zip", "no archive at all");
     fs::create_directories(at("s/many"));
     for (int i = 0; i < 5; ++i)
@@ -131,6 +134,7 @@ std::vector<Verdict> HostileSubmission::archives_without_end() {
     zip("s/odd.zip", "whole()\nz.writestr('a/' * 40 + 'deep', 'x')\nz.writestr('n' * 300, 'x')");
     return {{"bomb", "bomb.zip was not unpacked to its end: it holds more than 256 MB; there is no scene", 0, true},
             {"torn", "torn.zip was not unpacked to its end", 0, true},
+            {"flipped", "flipped.zip was not unpacked to its end", 0, true},
             {"none", "none.zip was not unpacked to its end", 0, true},
             {"many", "only 4 of 5 archives are unpacked", 0, true},
             {"odd", "it is more than 32 folders deep", all, true},
@@ -149,8 +153,7 @@ std::vector<Verdict> HostileSubmission::links() {
     fs::create_directory_symlink("..", at("s/leo/round"));
     scene("s/lee", paint, with(ball, "ball.frag", "../../other/ball.frag"));
     fs::remove(at("s/lee/ball.frag"));
-    folder.write("tree/0", "");
-    for (int i = 1; i < 20'001; ++i) fs::create_hard_link(at("tree/0"), at("tree/" + std::to_string(i)));
+    write_too_many("tree");
     fs::create_directory_symlink(at("tree"), at("s/large"));
     return {{"eve", ""},
             {"kim", ""},
@@ -240,6 +243,7 @@ TEST_F(HostileSubmission, EachOfAClassIsReportedAndNoneEndsTheOthers) {
     for (const std::vector<Verdict>& some : {archives_and_folders(), archives_that_lead_out(), archives_without_end(),
                                              links(), scenes_to_choose_from(), scenes_that_are_none(), names()})
         verdicts.insert(verdicts.end(), some.begin(), some.end());
+    make_archives();
     const std::size_t before = folder.entries();
     const auto begun = std::chrono::steady_clock::now();
     const Outcome made =
@@ -262,7 +266,7 @@ TEST_F(HostileSubmission, EachOfAClassIsReportedAndNoneEndsTheOthers) {
     EXPECT_FALSE(fs::exists("/tmp/snell-evil-link"));
     fs::remove_all(at("out"));
     fs::remove(at("make.py"));
-    EXPECT_EQ(folder.entries() + 1, before);
+    EXPECT_EQ(folder.entries(), before);
 }
 
 TEST_F(HostileSubmission, TheRubricSharesFoldersAndNamesScenes) {
@@ -320,10 +324,10 @@ TEST_F(HostileSubmission, OneThatAllocatesWithoutEndIsReported) {
     std::string rubric = bytes_of(at("r.toml"));
     folder.write("r.toml", rubric.replace(rubric.find("timeout = 10"), 12, "timeout = 60"));
     fs::remove_all(at("s/ann"));
-    const Outcome made = grade("r.toml s -o out --memory 1");
+    const Outcome made = grade("r.toml s -o out --memory .5");
     ASSERT_EQ(made.status, 0) << made.output;
     for (const std::string name : {"shapes", "targets"})
-        EXPECT_EQ(result(name)["problem"], "it takes more than 1 GB of memory") << name;
+        EXPECT_EQ(result(name)["problem"], "it takes more than 0.5 GB of memory") << name;
 }
 
 TEST_F(HostileSubmission, AClassIsGradedInTime) {

@@ -51,7 +51,7 @@ TEST_F(RubricMistakes, HavePlacesAndSuggestions) {
         EXPECT_EQ(made.status, 1);
     };
     shares("nothere", "is not there");
-    run("mkdir '" + at("many") + "' && cd '" + at("many") + "' && seq 20001 | xargs touch");
+    write_too_many("many");
     shares("many", "holds more than 20000 files and folders");
     shares("/", "holds more than ");
     fs::create_directories(at("large"));

@@ -1,5 +1,6 @@
 // A scene that takes long to load: the window shows a bar meanwhile, over the picture that it had.
 #include <chrono>
+#include <thread>
 
 #include "tests/gui/desk.h"
 
@@ -40,8 +41,10 @@ TEST_F(Loading, ABarStandsOverTheOldPictureUntilTheNewOneIsThere) {
     bool bar = false;
     int looks = 1;
     Picture picture = look();
-    for (; seconds() < 60 && corner(picture) != green; picture = look(), ++looks)
+    for (; seconds() < 60 && corner(picture) != green; picture = look(), ++looks) {
         bar = bar || (corner(picture) == red && middle(picture) != red);
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));  // a look takes time of what is looked at
+    }
     EXPECT_EQ(corner(picture), green);
     EXPECT_EQ(middle(look()), green) << "the bar is gone";
     settle();

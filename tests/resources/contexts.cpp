@@ -202,6 +202,35 @@ TEST_F(NarrowLines, AreCutAtTheEye) {
     for (int y = 0; y < 45; ++y) EXPECT_FALSE(near(picture.at(50, y), white)) << y;
 }
 
+// A line that is cut has the colours of the driver's own wide lines, whichever end is behind the eye, and where it ends
+// at the eye itself.
+TEST_F(NarrowLines, AreColouredAsTheDriversWhereTheyAreCut) {
+    folder.write(
+        "w.vert",
+        "out vec3 vColor;\nvoid main() { vColor = gl_Color.rgb; gl_Position = vec4(gl_Vertex.xy, .5, gl_Vertex.z); "
+        "}\n");
+    folder.write("w.frag", "in vec3 vColor;\nvoid main() { gl_FragColor = vec4(vColor, 1.); }\n");
+    const std::string eye = "Perspective 90\n", own = "Vertex w.vert\nFragment w.frag\nProgram W\n";
+    const std::string red = "glColor 1 0 0\nglVertex ", cyan = "glColor 0 1 1\nglVertex ";
+    for (const auto& [view, from, to] : {std::array{eye, red + "0 0 -10\n", cyan + "0 -1 5\n"},
+                                         {eye, red + "0 0 -10\n", cyan + "0 -1 0\n"},
+                                         {own, red + "1 0 2\n", cyan + "-1 0 0\n"},
+                                         {own, red + "1 0 2\n", cyan + "-1 0 -1\n"}})
+        for (const std::string& ends : {from + to, to + from}) {
+            const std::string scene = view + "Background 0 0 0\nLineWidth 7\nglBegin gl_lines\n" + ends + "glEnd\n";
+            const Look look{.width = 101, .height = 101};
+            caps.max_line_width = 1;
+            const Picture widened = draw(scene, look);
+            caps.max_line_width = 100;
+            const Picture drivers = draw(scene, look);
+            int far = 0;
+            for (int y = 0; y < 101; ++y)
+                for (int x = 0; x < 101; ++x) far += !near(widened.at(x, y), drivers.at(x, y), 3);
+            EXPECT_LE(far, 7) << "where it begins: " << scene;
+            EXPECT_GT(101 * 101 - drivers.count({0, 0, 0, 255}), 7 * 20) << scene;
+        }
+}
+
 }  // namespace
 
 }  // namespace snell::test

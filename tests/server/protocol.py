@@ -5,6 +5,7 @@ usage: protocol.py SNELL
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -238,6 +239,35 @@ class Requests(unittest.TestCase):
         self.assertEqual(code(c.answer("old")), -32801)
         self.assertEqual(len(c.answer("new")["result"]), 1)
         self.assertEqual(c.end(), 0)
+
+    def test_editors_without_snippets_get_text(self):
+        texts = ["", "Texture2D 5 8 8\nTexture2D 6 8 8\nFragment a.frag\nProgram P "]
+        with open(os.path.join(self.folder.name, "a.frag"), "w") as shader:
+            shader.write("uniform sampler2D uUnit;\nuniform vec4 uColor;\nuniform float uKa;\n"
+                         "void main() { gl_FragColor = uKa * uColor * texture(uUnit, vec2(.5)); }\n")
+
+        def inserted(capabilities):
+            c = Client(SNELL, capabilities)
+            uri, items = c.open(self.scene), {}
+            for version, text in enumerate(texts, 2):
+                c.change(uri, version, [{"text": text}])
+                place = {"line": text.count("\n"), "character": len(text.split("\n")[-1])}
+                for item in c.request("textDocument/completion", {"textDocument": {"uri": uri}, "position": place})["items"]:
+                    items[version, item["sortText"]] = item["insertTextFormat"], item["textEdit"]["newText"]
+            self.assertEqual(c.end(), 0)
+            return items
+
+        plain = inserted({})
+        snippets = inserted({"textDocument": {"completion": {"completionItem": {"snippetSupport": True}}}})
+        self.assertEqual(plain.keys(), snippets.keys())
+        of_choices = [text for form, text in snippets.values() if form == 2 and "|" in text]
+        of_names = [text for form, text in snippets.values() if form == 2 and ":" in text]
+        self.assertTrue(len(of_choices) > 3 and len(of_names) > 20, snippets)
+        for key, (form, text) in snippets.items():
+            if form == 2:  # an escaped character; the first choice, or what stands in its place; a place to type
+                text = re.sub(r"\\(.)|\$\{\d+(?::([^}]*)|\|([^,|]*)[^}]*)?\}|\$\d+",
+                              lambda m: m[1] or m[2] or m[3] or "", text)
+            self.assertEqual(plain[key], (1, text))
 
     def test_only_the_protocol_is_printed(self):
         c = Client(SNELL, environment={"EGL_LOG_LEVEL": "debug", "MESA_DEBUG": "1", "LIBGL_DEBUG": "verbose"})

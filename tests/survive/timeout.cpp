@@ -38,9 +38,9 @@ protected:
 };
 
 TEST_F(Timeout, EndsFramesOfEveryCommandThatDraws) {
-    expect_ended("explain --size 1024x1024 --timeout 1 " + scene());
-    expect_ended("accuracy --knobs samples --size 1024x1024 --timeout 1 " + scene());
-    expect_ended("sweep --over uOne=0,1 --size 1024x1024 --timeout 1 " + scene() + " -o " + folder.path("{uOne}.png"));
+    expect_ended("explain --size 1024x1024 --timeout .6 " + scene());
+    expect_ended("accuracy --knobs samples --size 1024x1024 --timeout .6 " + scene());
+    expect_ended("sweep --over uOne=0,1 --size 1024x1024 --timeout .6 " + scene() + " -o " + folder.path("{uOne}.png"));
 }
 
 // No context is made within so little time.
@@ -73,7 +73,7 @@ TEST_F(Timeout, LeavesAloneWhatEnds) {
 // The file that rows are written to is there from the beginning, and gone in the end.
 TEST_F(Timeout, OfAPictureInPartsLeavesNothing) {
     const std::size_t before = folder.entries();
-    expect_ended("render --tile 1024 --size 2048x2048 --timeout 1 " + scene() + " -o " + folder.path("o.png"));
+    expect_ended("render --tile 1024 --size 2048x2048 --timeout .6 " + scene() + " -o " + folder.path("o.png"));
     EXPECT_EQ(folder.entries(), before);
 }
 
