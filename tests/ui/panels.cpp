@@ -659,6 +659,30 @@ TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {
     }
 }
 
+TEST_F(UiTest, EscapeDuringADragRestoresWhatAFileSaysThatWasSavedMeanwhile) {
+    add_slider("uEta", 0, 1.1, 5);
+    add_slider("uField", 0, 1.1, 10).widget = Widget::none;
+    click(place("Glass.constants"));
+    const Rect places[] = {place("Glass.uEta"), place("Glass.uField")};
+    for (const std::size_t i : {0U, 1U})
+        for (const double saved : {2., 1.1}) {
+            double& value = controls_.items[i].value[0];
+            double& initial = controls_.items[i].initial[0];
+            value = 3;
+            initial = 1.1;
+            const double x = places[i].x, y = places[i].y + places[i].height / 2;
+            frame({move(x + places[i].width * .5, y)}, 1);
+            frame({button(true)});
+            frame({move(x + places[i].width * .9, y)});
+            if (saved != initial) value = initial = saved;  // as when the scene is read again
+            frame({move(x + places[i].width * .8, y)});
+            EXPECT_NE(value, saved) << "the drag continues";
+            frame({key(Key::escape, true)});
+            frame({key(Key::escape, false), button(false)});
+            EXPECT_EQ(value, saved == 2 ? 2 : 3) << i;
+        }
+}
+
 TEST_F(UiTest, APressBesideTheColourPickerOnlyClosesIt) {
     add_slider("uEta", .1, 1.1, 5);
     Control& color = add_slider("uColor", 0, 0, 1);
