@@ -621,6 +621,41 @@ TEST_F(UiTest, ADoubleClickAnswersOneNotice) {
         }
 }
 
+TEST_F(UiTest, EnterTwiceAnswersOneNotice) {
+    using Remedy = Failure::Remedy;
+    for (const double picture : {.02, .1, 2.5})
+        for (const Key which : {Key::enter, Key::space})
+            for (const char* name : {"failure.ok", "failure.again"}) {
+                SCOPED_TRACE(picture);
+                facts_.changed = true;
+                memory_.failures.open = {{"not saved: no space left", Remedy::save},
+                                         {"snapshot 4 cannot be read", Remedy::recall, {}, 4},
+                                         {"snapshot 3 is not stored: no space left", Remedy::store, {}, 3}};
+                const Rect at = place(name);
+                kit().focus.at = 0;
+                for (int i = 0; i < 99 && kit().focus.box != at; ++i)
+                    frame({key(Key::tab, true), key(Key::tab, false)});
+                ASSERT_EQ(kit().focus.box, at) << name;
+                frame({}, 1);
+                const auto press = [&](double seconds) {
+                    Event down = key(which, true);
+                    down.since = clock_;
+                    down.seen = clock_ + seconds;
+                    frame({down}, seconds);
+                    const bool asked = requests_.restore_snapshot > 0 || requests_.save;
+                    frame({key(which, false)});
+                    return asked;
+                };
+                press(.02);
+                ASSERT_EQ(memory_.failures.open.size(), 2U) << name;
+                EXPECT_FALSE(press(picture)) << name;
+                EXPECT_EQ(memory_.failures.open.size(), 2U) << name;
+                frame({}, 1);
+                press(.02);
+                EXPECT_EQ(memory_.failures.open.size(), 1U) << "once it was there for a while";
+            }
+}
+
 TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {
     add_slider("uEta", .1, 1.1, 5);
     Control& field = add_slider("uField", 0, 3, 10);

@@ -119,6 +119,7 @@ void feed(std::span<const Event> events) {
                 break;
         }
         if (is_press(event)) {
+            if (event.down) kit().late = event.seen - event.since;
             io.KeyShift = event.modifiers.shift;
             io.KeyCtrl = event.modifiers.ctrl;
             io.KeyAlt = event.modifiers.alt;

@@ -118,6 +118,7 @@ struct Kit {
     bool swallows = false;        // a press that closes it does nothing else
     Drag drag;
     ClickMemory click;
+    double late = 0;  // seconds that the last press of a key or button may have waited until it was seen
 };
 
 // Of the current context, which a Gui must have made.
