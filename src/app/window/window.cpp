@@ -459,6 +459,7 @@ void App::serve(const ui::Requests& requests) {
     const Picture shown{stand.width, stand.height, display_.samples(), stand.time, interface_.view()};
     if (Document* document = workspace_.document())
         picking_.serve(requests, *document, stand, interface_.density(), memory.hold);
+    if (requests.save && workspace_.session().awaits_own()) reload();  // its last save, which this one is based on
     show_scene(workspace_.serve(requests, shown, *window_, interface_.view(), memory));
     if (workspace_.follow_rungs()) settle(until_equal);
     if (const std::string command = measuring_.serve(requests, workspace_.document(), display_, memory);
