@@ -167,7 +167,11 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
     }
     interface_.view() = carried->view;
     workspace_.continue_with(carried->view);
-    interface_.memory().clock.time = carried->time;
+    ui::Memory& memory = interface_.memory();
+    memory.clock.time = carried->time;
+    memory.failures = carried->failures;
+    memory.failures.scene = whole_path(options.scene);
+    memory.revision = workspace_.session().revision();  // nothing was read again that would answer them
 }
 
 void App::run(bool edited) {
@@ -245,11 +249,8 @@ Carried App::carry(Recovery recovery) {
     const PixelSize size = window_->size();
     View view = display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view();
     view.axes = interface_.view().axes;  // they are not drawn while everything is hidden
-    return {workspace_.session().path(),
-            std::move(recovery),
-            std::move(view),
-            {size.width, size.height},
-            interface_.memory().clock.time};
+    return {workspace_.session().path(),    std::move(recovery),         std::move(view), {size.width, size.height},
+            interface_.memory().clock.time, interface_.memory().failures};
 }
 
 void App::keep_by_hand() {
