@@ -86,7 +86,7 @@ std::string Replacement::check() const {
         return access(folder.c_str(), W_OK) == 0 ? "" : folder.string() + ": " + std::strerror(errno);
     if (!fs::is_regular_file(target_, error)) return target_.string() + " is not a regular file";
     for (const fs::path& written : {target_, folder})  // a file is replaced, not opened
-        if (access(written.c_str(), W_OK) != 0) return written.string() + ": " + std::strerror(errno);
+        if (access(written.c_str(), W_OK) != 0) return target_.string() + ": " + std::strerror(errno);
     return "";
 }
 

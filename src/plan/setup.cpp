@@ -333,6 +333,7 @@ std::string parse_one(std::string_view text, View& view) {
     Transformation* transformation = named(text.substr(0, begin), view);
     for (const ViewPart& part : parts)
         if (transformation && part.name == name) {
+            if (name == "scale" && *value == 0) return fmt::format("'{}' is not a scale: nothing would be seen", text);
             transformation->*part.value = *value;
             return {};
         }

@@ -53,6 +53,23 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
     EXPECT_EQ(state()["errors"], 0);
 }
 
+TEST_F(Recovery, WhatWasNotDoneIsSaidAfterALoss) {
+    open("scene.glib", {"--lose-file", file("lose")});
+    ASSERT_TRUE(shows(red));
+    user("key 5");
+    settle();
+    const std::string said = state()["failure"];
+    ASSERT_NE(said, "");
+    save("lose", "");
+    save("paint.frag", paint("uPaint.grb"));
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }));
+    settle();
+    EXPECT_EQ(state()["failure"], said);
+    click("failure.ok");
+    settle();
+    EXPECT_EQ(state()["failure"], "");
+}
+
 TEST_F(Recovery, WhatIsOnTheRightOfTwoStatesWasDrawnWell) {
     open("scene.glib", {"--lose-file", file("lose")});
     ASSERT_TRUE(shows(red));

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -58,6 +59,29 @@ TEST(Replace, TheNewTextOrTheOld) {
     EXPECT_EQ(bytes_of(path), "two");
     EXPECT_NE(content::replace_file(scratch.path("nowhere/values.json"), "three"), "");
     EXPECT_EQ(scratch.entries(), 1u);
+}
+
+// As another user, because root may write everywhere.
+TEST(Replace, ARefusalNamesTheFileOnce) {
+    namespace fs = std::filesystem;
+    const Scratch folder;
+    fs::create_directory(folder.path("out"));
+    folder.write("out/a.glib", "old");
+    using fs::perms;
+    fs::permissions(folder.path(), perms::all);
+    fs::permissions(folder.path("out/a.glib"), perms::all);
+    fs::permissions(folder.path("out"), perms::owner_write | perms::group_write | perms::others_write,
+                    fs::perm_options::remove);
+    const pid_t child = fork();
+    if (child == 0) {
+        if (geteuid() == 0 && setuid(65534) != 0) _exit(2);
+        const std::string file = folder.path("out/a.glib"), refused = content::rewrite_file(file, "new");
+        _exit(refused == file + ": Permission denied" ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+    fs::permissions(folder.path("out"), perms::owner_all);
 }
 
 TEST(Replace, PipesAreWrittenToAndStayPipes) {

@@ -212,6 +212,11 @@ TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     EXPECT_EQ(memory_.browser.kind, "noise");
     EXPECT_STREQ(memory_.new_scene.file.data(), "noise") << "a name to begin with";
     click(place("new scene cancel"));
+    for (const auto& [name, own] : {std::pair("noise", false), {"~noise", false}, {"/tmp/n", true}, {"~/n", true}}) {
+        open_save_as(memory_.new_scene, name, "/home/ann/scenes");
+        EXPECT_EQ(has("new scene folder"), !own) << name << " says which folder itself";
+        click(place("new scene cancel"));
+    }
     EXPECT_TRUE(has("browser.scene.sky.glib")) << "back to where it was asked";
     click(place("browser.folders"));
     EXPECT_TRUE(has("browser.entry.ball.glib"));

@@ -220,14 +220,15 @@ TEST_F(UiTest, ClicksAreCountedByTheirTimesNotByFrames) {
     double& value = controls_.items[0].value[0];
     for (const Row& row : {Row{"the second one came during the frame of the first", {10, 10}, {10.01, 11}, true},
                            Row{"both came during one frame", {22, 23}, {22, 23}, true},
-                           Row{"during one of two seconds", {24, 26}, {24, 26}, true},
+                           Row{"during one of a second and a half", {24, 25.5}, {24, 25.5}, false},
                            Row{"one in each of two frames of half a second", {27, 27.5}, {27.5, 28}, true},
                            Row{"the second one was seen at once", {30, 30}, {30.2, 30.21}, true},
                            Row{"one in each of two frames of a second", {32, 33}, {33, 34}, false},
                            Row{"for half a second there was none", {40, 40}, {40.5, 41.5}, false},
                            Row{"they are far apart", {50, 50}, {54, 54}, false},
                            Row{"during the first picture, which took half a minute", {60, 90}, {60, 90}, false},
-                           Row{"during the longer frame of the first", {100, 100}, {100.001, 102.5}, true}}) {
+                           Row{"during the frame of the first", {100, 100}, {100.001, 100.9}, true},
+                           Row{"during a longer one", {110, 110}, {110.001, 112.5}, false}}) {
         SCOPED_TRACE(row.what);
         value = 1.1;
         const auto press = [&](const Press& at) {
@@ -262,9 +263,9 @@ TEST_F(UiTest, DigitsAfterADoubleClickGoToTheFieldThatItOpens) {
                             {.kind = Event::Kind::text, .text = '2'}};
     for (Event& event : rest) {
         event.since = clock_ + .001;
-        event.seen = clock_ + 2.5;
+        event.seen = clock_ + .9;
     }
-    frame(rest, 2.5);
+    frame(rest, .9);
     EXPECT_EQ(requests_.restore_snapshot, 0);
     frame({key(Key::enter, true)});
     EXPECT_EQ(controls_.items[0].value[0], 2);
@@ -621,6 +622,41 @@ TEST_F(UiTest, ADoubleClickAnswersOneNotice) {
         }
 }
 
+TEST_F(UiTest, EnterTwiceAnswersOneNotice) {
+    using Remedy = Failure::Remedy;
+    for (const double picture : {.02, .1, 2.5})
+        for (const Key which : {Key::enter, Key::space})
+            for (const char* name : {"failure.ok", "failure.again"}) {
+                SCOPED_TRACE(picture);
+                facts_.changed = true;
+                memory_.failures.open = {{"not saved: no space left", Remedy::save},
+                                         {"snapshot 4 cannot be read", Remedy::recall, {}, 4},
+                                         {"snapshot 3 is not stored: no space left", Remedy::store, {}, 3}};
+                const Rect at = place(name);
+                kit().focus.at = 0;
+                for (int i = 0; i < 99 && kit().focus.box != at; ++i)
+                    frame({key(Key::tab, true), key(Key::tab, false)});
+                ASSERT_EQ(kit().focus.box, at) << name;
+                frame({}, 1);
+                const auto press = [&](double seconds) {
+                    Event down = key(which, true);
+                    down.since = clock_;
+                    down.seen = clock_ + seconds;
+                    frame({down}, seconds);
+                    const bool asked = requests_.restore_snapshot > 0 || requests_.save;
+                    frame({key(which, false)});
+                    return asked;
+                };
+                press(.02);
+                ASSERT_EQ(memory_.failures.open.size(), 2U) << name;
+                EXPECT_FALSE(press(picture)) << name;
+                EXPECT_EQ(memory_.failures.open.size(), 2U) << name;
+                frame({}, 1);
+                press(.02);
+                EXPECT_EQ(memory_.failures.open.size(), 1U) << "once it was there for a while";
+            }
+}
+
 TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {
     add_slider("uEta", .1, 1.1, 5);
     Control& field = add_slider("uField", 0, 3, 10);
@@ -657,6 +693,30 @@ TEST_F(UiTest, EscapeDuringADragRestoresWhatWasBefore) {
         frame({button(false, row.button)});
         EXPECT_TRUE(memory_.hold.picking) << "Escape did nothing else";
     }
+}
+
+TEST_F(UiTest, EscapeDuringADragRestoresWhatAFileSaysThatWasSavedMeanwhile) {
+    add_slider("uEta", 0, 1.1, 5);
+    add_slider("uField", 0, 1.1, 10).widget = Widget::none;
+    click(place("Glass.constants"));
+    const Rect places[] = {place("Glass.uEta"), place("Glass.uField")};
+    for (const std::size_t i : {0U, 1U})
+        for (const double saved : {2., 1.1}) {
+            double& value = controls_.items[i].value[0];
+            double& initial = controls_.items[i].initial[0];
+            value = 3;
+            initial = 1.1;
+            const double x = places[i].x, y = places[i].y + places[i].height / 2;
+            frame({move(x + places[i].width * .5, y)}, 1);
+            frame({button(true)});
+            frame({move(x + places[i].width * .9, y)});
+            if (saved != initial) value = initial = saved;  // as when the scene is read again
+            frame({move(x + places[i].width * .8, y)});
+            EXPECT_NE(value, saved) << "the drag continues";
+            frame({key(Key::escape, true)});
+            frame({key(Key::escape, false), button(false)});
+            EXPECT_EQ(value, saved == 2 ? 2 : 3) << i;
+        }
 }
 
 TEST_F(UiTest, APressBesideTheColourPickerOnlyClosesIt) {

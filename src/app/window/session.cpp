@@ -8,6 +8,7 @@
 #include "parser/text/ranges.h"
 #include "src/app/desktop/folder.h"
 #include "src/app/open/warnings.h"
+#include "src/content/files.h"
 
 namespace snell {
 
@@ -103,7 +104,22 @@ void Session::hold_values(const std::vector<SavedFile>& files) {
             return used == file.path || std::filesystem::equivalent(used, file.path, error);
         });
     };
-    hold_values_ |= ranges::any_of(files, in_use);
+    for (const SavedFile& file : files)
+        if (in_use(file)) held_[file.path] = content::whole_file(file.path);
+    hold_values_ = !held_.empty();
+}
+
+bool Session::awaits_own() const {
+    if (!shown_ || held_.empty()) return false;
+    for (std::size_t file = 0; file < shown_->sources.size(); ++file) {
+        const std::string name(shown_->sources.name(file));
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(name, error)) continue;  // a text of snell's own
+        const auto held = held_.find(name);
+        if (content::whole_file(name) != (held != held_.end() ? held->second : shown_->sources.text(file)))
+            return false;
+    }
+    return true;
 }
 
 std::string Session::open(std::string path, Remembered memory) {
@@ -125,6 +141,7 @@ std::string Session::open(std::string path, Remembered memory) {
     earlier_ = {};
     by_hand_.clear();
     recovering_ = hold_values_ = false;
+    held_.clear();
     take(std::move(fresh));
     return {};
 }
@@ -180,6 +197,7 @@ void Session::carry_values(Document& read) {
     if (shown_) carry_over(shown_->controls, shown_->scene(), read.controls, read.scene());
     recall(all, read.scene(), read.controls, Follow::memory);
     followed_ = std::exchange(hold_values_, false) ? Follow::memory : Follow::text;
+    held_.clear();
 }
 
 Remembered Session::remembered(bool all) const {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,6 +43,8 @@ public:
     void reload();
     // The next reload keeps values and rungs although the text changes them, if one of these files is in use.
     void hold_values(const std::vector<SavedFile>& files);
+    // True if such files, and no others, have changed since the scene was read.
+    bool awaits_own() const;
     // What they did in the last reload.
     Follow followed() const { return followed_; }
     // Shows another scene as it is in its file, with the values of `memory`. Returns "", or why the current scene
@@ -97,6 +100,7 @@ private:
     bool recovering_ = false;  // until the scene is read: values that are not in by_hand_ are those of the text
     Remembered memory_;        // values that shown_ does not have, and those with which it began
     bool hold_values_ = false;
+    std::map<std::string, std::string> held_;  // the files for which it does, and their texts
     Follow followed_ = Follow::text;
     Rungs first_rungs_;
     Earlier earlier_;

@@ -167,7 +167,11 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
     }
     interface_.view() = carried->view;
     workspace_.continue_with(carried->view);
-    interface_.memory().clock.time = carried->time;
+    ui::Memory& memory = interface_.memory();
+    memory.clock.time = carried->time;
+    memory.failures = carried->failures;
+    memory.failures.scene = whole_path(options.scene);
+    memory.revision = workspace_.session().revision();  // nothing was read again that would answer them
 }
 
 void App::run(bool edited) {
@@ -245,11 +249,8 @@ Carried App::carry(Recovery recovery) {
     const PixelSize size = window_->size();
     View view = display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view();
     view.axes = interface_.view().axes;  // they are not drawn while everything is hidden
-    return {workspace_.session().path(),
-            std::move(recovery),
-            std::move(view),
-            {size.width, size.height},
-            interface_.memory().clock.time};
+    return {workspace_.session().path(),    std::move(recovery),         std::move(view), {size.width, size.height},
+            interface_.memory().clock.time, interface_.memory().failures};
 }
 
 void App::keep_by_hand() {
@@ -459,6 +460,7 @@ void App::serve(const ui::Requests& requests) {
     const Picture shown{stand.width, stand.height, display_.samples(), stand.time, interface_.view()};
     if (Document* document = workspace_.document())
         picking_.serve(requests, *document, stand, interface_.density(), memory.hold);
+    if (requests.save && workspace_.session().awaits_own()) reload();  // its last save, which this one is based on
     show_scene(workspace_.serve(requests, shown, *window_, interface_.view(), memory));
     if (workspace_.follow_rungs()) settle(until_equal);
     if (const std::string command = measuring_.serve(requests, workspace_.document(), display_, memory);

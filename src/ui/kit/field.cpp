@@ -194,12 +194,12 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
 namespace {
 
 // Returns the value that the mouse or the keyboard has moved the number to.
-double moved(double value, ImGuiID id, const NumberStyle& style, bool held) {
+double moved(double value, double initial, ImGuiID id, const NumberStyle& style, bool held) {
     const ImGuiIO& io = ImGui::GetIO();
     Drag& drag = kit().drag;
     if (!held && drag.id == id) drag.id = 0;
-    if (held && drag.id != id) drag = {id, value, value};
-    if (held && cancelled(id)) return drag.before;
+    if (held && drag.id != id) drag = {id, {value, initial}, value};
+    if (held && cancelled(id)) return drag.before.restored(initial);
     double exact = held ? drag.exact : value;
     const double before = exact;
     if (held) exact += style.speed * io.MouseDelta.x * (fine() ? .05 : 1);
@@ -239,7 +239,7 @@ bool number_field(const char* label, double& value, double initial, float width,
     const bool dragged = io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
     if (held) take_focus(id);
     if ((clicked && !dragged) || (held && io.MouseClicked[0] && io.KeyCtrl)) type_number(id, value);
-    double edited = moved(value, id, style, held && dragged);
+    double edited = moved(value, initial, id, style, held && dragged);
     if (hovered && io.MouseClicked[1]) edited = initial;
     draw_number(box, value, style, hovered, held);
     draw_focus(box, id);
@@ -316,19 +316,19 @@ bool number_beside(const ImRect& box, double value, const SliderRange& range) {
     return hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
-void take_back(double& value, SliderRange& range, SliderMemory& memory) {
-    value = memory.before;
+void take_back(double& value, double initial, SliderRange& range, SliderMemory& memory) {
+    value = memory.before.restored(initial);
     range.taken_back = memory.taken_back = true;
 }
 
 // Begins a drag, or opens the field at the second of two clicks.
-void press(ImGuiID id, double& value, SliderRange& range, SliderMemory& memory) {
+void press(ImGuiID id, double& value, double initial, SliderRange& range, SliderMemory& memory) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool twice = io.MouseDoubleClicked[0] && memory.id == id && !memory.dragged;
     if (twice)
-        take_back(value, range, memory);
+        take_back(value, initial, range, memory);
     else
-        memory = {id, value};
+        memory = {id, {value, initial}};
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     ImGui::SetActiveID(id, window);
     ImGui::FocusWindow(window);
@@ -357,7 +357,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
 
     const double before = value;
     const bool hovered = ImGui::ItemHoverable(box, id);
-    if (hovered && io.MouseClicked[0] && !is_typed(id)) press(id, value, range, memory);
+    if (hovered && io.MouseClicked[0] && !is_typed(id)) press(id, value, initial, range, memory);
     if (is_typed(id)) {
         typed_field(whole, id, label, value, range.type);
         range.min = std::min(range.min, value);
@@ -373,7 +373,7 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
         const float threshold = io.MouseDragThreshold;
         memory.dragged = memory.dragged || io.MouseDragMaxDistanceSqr[0] > threshold * threshold;
         if (cancelled(id))
-            take_back(value, range, memory);
+            take_back(value, initial, range, memory);
         else if (!io.MouseDown[0])
             ImGui::ClearActiveID();
         else if (range.min < range.max)

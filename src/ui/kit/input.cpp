@@ -15,16 +15,16 @@ namespace {
 
 bool is_press(const Event& event) { return event.kind == Event::Kind::button || event.kind == Event::Kind::key; }
 
-// Two presses are a double click by when they happened, however long the frames between them took. If they may be close
-// together, they are one unless they may also be a second apart. Where a single frame is why nobody knows, because both
-// came during it, or because the first press led to it, they are one unless that frame took far longer. Dear ImGui
-// compares the times of frames, so it is told to take any press or none; how far apart they are, it knows.
+// Two presses are a double click by when they happened, however long the frames between them took: if they may be close
+// together, and cannot be a second apart. Of presses during a longer frame nobody knows. They are two clicks, because
+// what two clicks do can be undone, and a double click takes back the first one and opens a field that gets the next
+// keys. Dear ImGui compares the times of frames, so it is told to take any press or none; how far apart they are, it
+// knows.
 void count_click(const Event& event) {
-    constexpr double longest = .3, apart = 1, far_apart = 3, at_once = .02;  // seconds
+    constexpr double longest = .3, apart = 1;  // seconds
     ClickMemory& last = kit().click;
     const double least = event.since - last.seen, most = event.seen - last.since;
-    const bool one_frame = event.since == last.since || (last.since == last.seen && least < at_once);
-    const bool soon = last.button == event.button && least < longest && most <= (one_frame ? far_apart : apart);
+    const bool soon = last.button == event.button && least < longest && most <= apart;
     ImGui::GetIO().MouseDoubleClickTime = soon ? 1e6F : -1;
     last = {event.button, event.since, event.seen};
 }
@@ -119,6 +119,7 @@ void feed(std::span<const Event> events) {
                 break;
         }
         if (is_press(event)) {
+            if (event.down) kit().late = event.seen - event.since;
             io.KeyShift = event.modifiers.shift;
             io.KeyCtrl = event.modifiers.ctrl;
             io.KeyAlt = event.modifiers.alt;

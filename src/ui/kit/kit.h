@@ -85,10 +85,18 @@ struct Tip {
     bool quiet = false;  // the item was pressed, so nothing needs to be said until the pointer leaves it
 };
 
+// A number when a gesture began that may be taken back, and the scene's number then.
+struct Before {
+    double value = 0, initial = 0;
+    // What to take it back to; a file that was saved with another number during the gesture has the last word.
+    double restored(double scene) const { return scene == initial ? value : scene; }
+};
+
 // A number that is being dragged.
 struct Drag {
-    unsigned id = 0;               // of the widget; 0 if there is none
-    double before = 0, exact = 0;  // when the drag began; now, before rounding
+    unsigned id = 0;  // of the widget; 0 if there is none
+    Before before;
+    double exact = 0;  // before rounding
 };
 
 // The last press of a button.
@@ -110,6 +118,7 @@ struct Kit {
     bool swallows = false;        // a press that closes it does nothing else
     Drag drag;
     ClickMemory click;
+    double late = 0;  // seconds that the last press of a key or button may have waited until it was seen
 };
 
 // Of the current context, which a Gui must have made.

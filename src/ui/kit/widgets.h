@@ -85,11 +85,11 @@ struct SliderRange : Track {
     bool reset = false, taken_back = false;
 };
 
-// State of the slider that was pressed last. `before` is its value then, and `stopped` the motion that the press ended:
+// State of the slider that was pressed last. `before` is its value then, `stopped` the motion that the press ended:
 // a double click, which moves the knob before it opens the text field, and Escape in a drag take both back.
 struct SliderMemory {
     unsigned id = 0;
-    double before = 0;
+    Before before;
     bool relative = false;  // Shift or Alt was pressed: the drag continues relative to the knob's position
     bool dragged = false;   // it was no click
     double fraction = 0;    // position of that drag, before rounding

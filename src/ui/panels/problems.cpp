@@ -8,6 +8,7 @@
 
 #include "parser/text/words.h"
 #include "src/plan/values/numbers.h"
+#include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/panels/panels.h"
@@ -181,9 +182,11 @@ float problems_window(const Facts& facts, Severity severity, const Rect& scene, 
     return cut ? bottom + problems_grip(scene, bottom, memory, layout) : bottom;
 }
 
+bool answering() { return pressed(Key::enter) || pressed(Key::keypad_enter) || pressed(Key::space); }
+
 // Notes where the notice that is being drawn stands. A press on it is too early if it may have happened within half a
-// second of when the notice came there, under a mouse that has hardly moved since: the second click of two on the
-// notice that stood there before. However long a picture takes, a press lies between two looks for events.
+// second of when the notice came there, by a key or under a mouse that has hardly moved since: the second one of two
+// for the notice that stood there before. However long a picture takes, a press lies between two looks for events.
 void stand(std::string_view text, NoticeMemory& memory) {
     constexpr double until_seen = .5;  // seconds
     const ImGuiIO& io = ImGui::GetIO();
@@ -198,11 +201,12 @@ void stand(std::string_view text, NoticeMemory& memory) {
         stood->since = ImGui::GetTime();
         stood->mouse = {io.MousePos.x, io.MousePos.y};
     }
+    const bool soon = ImGui::GetTime() - kit().late < stood->since + until_seen;
+    memory.early_key = soon && answering();
     if (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !box.contains(io.MousePos.x, io.MousePos.y)) return;
-    const ClickMemory& click = kit().click;
     const bool moved = std::hypot(io.MousePos.x - stood->mouse.x, io.MousePos.y - stood->mouse.y) >
                        static_cast<double>(io.MouseDoubleClickMaxDist);
-    memory.early = !moved && ImGui::GetTime() - (click.seen - click.since) < stood->since + until_seen;
+    memory.early = soon && !moved;
 }
 
 // Forgets the notices that are gone. Before any is drawn, no press is too early.
@@ -211,8 +215,10 @@ void begin_notices(NoticeMemory& memory) {
     memory.early &= !ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 
-// True while the release of a press that came too early must not act.
-bool too_early(const NoticeMemory& memory) { return memory.early && ImGui::IsMouseReleased(ImGuiMouseButton_Left); }
+// True while a key, or the release of a press, that came too early must not act.
+bool too_early(const NoticeMemory& memory) {
+    return memory.early_key || (memory.early && ImGui::IsMouseReleased(ImGuiMouseButton_Left));
+}
 
 // Shows a text above `bottom`, which moves up by its height, and beside it what `buttons` draws.
 template <typename Buttons>

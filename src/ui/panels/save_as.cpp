@@ -76,8 +76,10 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     layout.note(words.name + " file");
     tip(words.tip);
     if (!dialog.folder.empty()) {
-        fitted("in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
-        layout.note(words.name + " folder");
+        const std::string_view name = dialog.file.data();
+        const bool whole = name == "~" || name.starts_with("~/") || name.starts_with('/');  // it says which folder
+        fitted(whole ? "" : "in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
+        if (!whole) layout.note(words.name + " folder");
     }
     ImGui::Spacing();
     questions(dialog, words.name, layout);

@@ -151,7 +151,8 @@ struct NoticeMemory {
         bool drawn = false;
     };
     std::vector<Stood> stood;
-    bool early = false;  // whether the last press came too early
+    bool early = false;      // whether the last press of the mouse came too early
+    bool early_key = false;  // the same of a key that is pressed in this frame, for the notice that is being drawn
 };
 
 // Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys

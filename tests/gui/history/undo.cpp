@@ -137,6 +137,39 @@ TEST_F(Past, AChangeRightAfterASaveStays) {
     EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .3; }));
 }
 
+TEST_F(Past, ASaveRightAfterASaveSavesTheLaterValues) {
+    open("one.glib");
+    slide(.75);
+    const auto [x, y] = on("Paint.uRed", .4);
+    const std::string again = "mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1 key ctrl+s";
+    user("key ctrl+s " + again);
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; })) << state()["failure"];
+    settle();
+    EXPECT_EQ(state()["failure"], "");
+    EXPECT_NEAR(red(), .4, .05);
+    EXPECT_EQ(title().find("\u2022"), std::string::npos) << "nothing is left to save";
+    const std::string both = bytes("one.glib");
+    press("ctrl+z");
+    EXPECT_EQ(notice(), "undo: save to one.glib");
+    EXPECT_NE(bytes("one.glib"), both);
+    EXPECT_NE(bytes("one.glib"), scene("uRed")) << "the first save";
+    EXPECT_NEAR(red(), .4, .05);
+    press("ctrl+y");
+    EXPECT_EQ(bytes("one.glib"), both);
+}
+
+TEST_F(Past, ASaveRightAfterASaveOverwritesNoOtherProgramsSave) {
+    open("one.glib");
+    slide(.75);
+    save("other.sh", "cd " + file("") + "; sed 's/uGreen <0. .4/uGreen <0. .9/' one.glib >other; mv other one.glib");
+    const auto [x, y] = on("Paint.uRed", .4);
+    user("key ctrl+s exec --sync --terminator END sh " + file("other.sh") + " END mousemove " + std::to_string(x) +
+         " " + std::to_string(y) + " click 1 key ctrl+s");
+    settle();
+    EXPECT_NE(bytes("one.glib").find("uGreen <0. .9"), std::string::npos) << bytes("one.glib") << state()["failure"];
+    EXPECT_NEAR(red(), .4, .05);
+}
+
 TEST_F(Past, AChangeBetweenASaveAndTheEndIsThereNextTime) {
     open("one.glib");
     slide(.75);

@@ -74,13 +74,14 @@ struct Carried {
     View view;
     std::pair<int, int> size;  // of the window
     double time = 0;           // of the scene
+    ui::Failures failures;     // that are not answered; only within the process
 };
 
 // The state after a loss of the context; its problem tells the user what happened.
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files);
 
-// Converts to and from text, without `kept`, which exists only within the process, and without the problem. "" reads as
-// the initial state of a window without a scene.
+// Converts to and from text, without `kept` and `failures`, which exist only within the process, and without the
+// problem. "" reads as the initial state of a window without a scene.
 std::string carried_text(const Carried& carried);
 Carried read_carried(const std::string& text);
 
