@@ -437,7 +437,11 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     blank_halves(facts, parts.scene, memory.accuracy);
     if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
-    const float end = state_bar(facts, parts.scene, memory.accuracy, layout);
+    // Where notices and the names of the states need the panel's room, failures are answered first, so that some of the
+    // panel is seen.
+    const bool failed = !has_room(parts.scene) && !memory.failures.open.empty();
+    const float end =
+        failed ? parts.scene.y + parts.scene.height : state_bar(facts, parts.scene, memory.accuracy, layout);
     const float first =
         notices(facts, {parts.scene.x, begin, parts.scene.width, end - begin}, memory, requests, layout);
     const bool shares = memory.panel && !has_room(parts.scene);

@@ -186,6 +186,13 @@ public:
         memory_.failures.add({long_path + " ended with status 4", Remedy::editor, {"/a.frag", 1, 1}});
         memory_.failures.add({"not saved: room.glib: no space left on the device", Remedy::save});
     }
+    void states_and_a_notice() {
+        add_slider("uEta", .1, 1.1, 5);
+        const Tab tab = memory_.tab;
+        two_states();
+        memory_.tab = tab;
+        memory_.failures.add({"there is no snapshot 5. Ctrl+5 stores one", Failure::Remedy::absent, {}, 5});
+    }
     void costs() {
         memory_.tab = Tab::tools;
         using Kind = Explanation::Kind;

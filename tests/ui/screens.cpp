@@ -57,6 +57,25 @@ TEST_P(Screens, AreLegible) {
     }
 }
 
+class SmallestWindow : public Screens {};
+
+TEST_F(SmallestWindow, ANoticeOverTwoStatesLeavesSomeOfThePanelInTheSmallestWindow) {
+    facts_.changed = true;
+    states_and_a_notice();
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    settle();
+    const auto visible = [&](std::string_view name) {
+        return std::any_of(layout_.items().begin(), layout_.items().end(),
+                           [&](const Placed& item) { return item.name == name && item.visible; });
+    };
+    EXPECT_TRUE(visible("failure.store"));
+    EXPECT_TRUE(visible("menu.open")) << "the panel";
+    EXPECT_FALSE(visible("accuracy.swap")) << "once the notice is answered";
+    click(place("failure.ok"));
+    settle();
+    EXPECT_TRUE(visible("accuracy.swap"));
+}
+
 const Panel panels[] = {
     {"programs", "Glass.uEta", &Screens::programs},
     {"many-sliders", "filter", &Screens::many_sliders},
@@ -77,6 +96,7 @@ const Panel panels[] = {
     {"everything", "problems.hide", &Screens::everything},
     {"first-picture", "first picture", &Screens::first_picture},
     {"failures", "failure.again", &Screens::failures},
+    {"states-and-a-notice", "failure.store", &Screens::states_and_a_notice},
     {"costs", "costs.Images", &Screens::costs},
     {"files", "file.room.glib", &Screens::files},
     {"window", "larger", &Screens::window},

@@ -17,9 +17,6 @@ UsedCommands used_commands(const std::string& scene, const Access& access);
 Judged judge_text(const RubricItem& item, const Rubric& rubric, const Document& document, const UsedCommands& commands);
 Judged judge_counters(const RubricItem& item, const Counters& counters);
 
-// Such as "vec3"; "" if no shader uses it.
-std::string type_of(const Document& document, const snell::Control& control);
-
 // The uniforms that the rubric's items name, and that the scene's text sets.
 std::set<std::string> uniforms_of(const Scene& scene, const Rubric& rubric);
 
