@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { crc32, deflateSync } from 'node:zlib';
-import { builtPage, chromium, drawn, drop, openText, pageOf, press, run, shows, tab, temporaryFolder, until } from './harness/browser.mjs';
+import { builtPage, chord, chromium, drawn, drop, openText, pageOf, press, run, shows, tab, temporaryFolder, until } from './harness/browser.mjs';
 
 const folder = temporaryFolder();
 const vertex = 'void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n';
@@ -49,7 +49,7 @@ test('a picture for which a shader emits much says what it costs', async () => {
     await page.close();
 });
 
-// Loops that nothing ends are left after 65,535 rounds. `takes`: it asks before it draws larger pictures.
+// Loops that nothing ends are left after 262,143 rounds, and the page asks before it draws whole pictures.
 for (const [what, body] of Object.entries({
     'a loop without an end': 'float x = 0.;\nwhile (true) x += uA;\ngl_FragColor = vec4(x, 1., 0., 1.);',
     'a loop whose break is never taken': 'float x = 1.;\nwhile (true) { x += uA; if (x < 0.) break; }\ngl_FragColor = vec4(x, 1., 0., 1.);',
@@ -58,12 +58,13 @@ for (const [what, body] of Object.entries({
 }))
     test(`${what} does not stop the page, nor the next edit`, async () => {
         const { page } = await opened({ ...scene('e.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), ...program(body) });
-        await until(page, () => document.querySelector('dialog[open][aria-label="This scene takes long"]') || /ms/.test(document.querySelector('.status span').textContent));
-        if (await page.$('dialog[open]')) await press(page, 'Keep it small', 'dialog[open]');
+        await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
+        await press(page, 'Keep it small', 'dialog[open]');
+        await until(page, () => /coarser/.test(document.querySelector('.status span').textContent));
         await retype(page, 'p.frag', 'void main() { gl_FragColor = vec4(1.); }\n');
         await drawn(page);
         await retype(page, 'p.frag', `uniform float uA;\nvoid main() {\n${body}\n}\n`);
-        await until(page, () => document.querySelector('dialog[open][aria-label="This scene takes long"]') || /coarser/.test(document.querySelector('.status span').textContent));
+        await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
         await page.close();
     });
 
@@ -86,6 +87,28 @@ test('where a small picture takes seconds, the page asks before it goes on', asy
     await openText(page);
     await page.close();
 });
+
+// `asked`: after the change, a question.
+for (const [what, bound, asked] of [['a value that makes a loop go on and on', '1000000000', true], ['one that does not', '40', false]])
+    test(`${what} is ${asked ? 'asked about, and can be taken back' : 'drawn'}`, async () => {
+        const text = 'uniform float uA;\nvoid main() { float x = 0.; for (float i = 0.; i < uA; i++) x = fract(sin(x + i) * 43758.5); gl_FragColor = vec4(x, 1., 0., 1.); }\n';
+        const { page } = await opened({ ...scene('v.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), 'p.vert': vertex, 'p.frag': text });
+        await drawn(page);
+        await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
+        await page.keyboard.type(bound);
+        await page.evaluate(() => void (document.querySelector('.status span').textContent = ''));
+        await page.keyboard.press('Enter');
+        if (asked) {
+            await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
+            await press(page, 'Cancel', 'dialog[open]');
+            await until(page, () => /^not drawn/.test(document.querySelector('.status span').textContent));
+            await page.evaluate(() => document.activeElement.blur());
+            await chord(page, 'KeyZ');
+        }
+        await until(page, () => /ms$/.test(document.querySelector('.status span').textContent));
+        assert.equal(await page.$('dialog[open]'), null);
+        await page.close();
+    });
 
 // A grey PNG image.
 function png(width, height) {

@@ -172,7 +172,9 @@ export class Painter {
         if (this.drawsFirst) {
             if (this.slow(milliseconds)) return false;
             performance.mark('First picture');
-            if (this.divisor > this.least) this.redo();
+        }
+        if (this.drawsFirst && this.divisor > this.least) {
+            this.redo();
         } else {
             const due = this.with_.engine.drew(milliseconds);
             if (due < Infinity) this.sharp = setTimeout(() => this.redo(), due + 1);
