@@ -441,6 +441,10 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     memory_.browser.open = false;
     EXPECT_FALSE(has("failure.ok"));
     // What is mended otherwise.
+    memory_.failures.open = {{"not saved: room.glib has changed since it was read: reload it", Remedy::reload}};
+    ++facts_.revision;
+    EXPECT_TRUE(has("failure.again")) << "it was read, and nothing is saved yet";
+    EXPECT_EQ(memory_.failures.open[0].text, "not saved: room.glib was read again since");
     memory_.failures.open = {{"not saved: room.glib has changed", Remedy::reload}};
     EXPECT_TRUE(has("failure.ok"));
     facts_.changed = false;

@@ -100,8 +100,8 @@ bool Drawing::settle(OpenScene& scene, const Moment& moment) {
 double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
     constexpr int largest = 64, least = 4;  // divisors of width and height
     constexpr double tells = 300,
-                     ends = 2000;  // milliseconds of a small picture: it is believed; it is not drawn again
-    double whole = 0;
+                     ends = 2000;  // milliseconds of a small picture: it may be believed; it is the last one
+    double first = 0, first_share = 0, whole = 0;
     for (int divisor = largest; divisor >= least; divisor /= 2) {
         Moment small = moment;
         small.width = std::max(moment.width / divisor, 1);
@@ -115,8 +115,13 @@ double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
             milliseconds = (now() - began) * 1e3;
             if (milliseconds > ends || milliseconds <= enough * share) break;
         }
-        whole = milliseconds / share;
-        if (whole <= enough || milliseconds > tells) break;
+        // What does not grow with the size, as the work for vertices does, takes no longer in the whole one.
+        if (divisor == largest) first = milliseconds, first_share = share;
+        const bool grows = divisor == largest || milliseconds > 1.5 * first;
+        const double each = divisor == largest ? milliseconds / share : (milliseconds - first) / (share - first_share);
+        whole = milliseconds + std::max(each, 0.) * (1 - share);
+        const bool believed = divisor < largest && grows && milliseconds > tells;
+        if (whole <= enough || believed || milliseconds > ends) break;
     }
     return whole;
 }

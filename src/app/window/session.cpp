@@ -72,7 +72,7 @@ void Session::choose(const Scene& scene, Rungs& rungs, Diagnostics& refused) {
     if (shown_) {
         recall(remembered(), scene, rungs);  // for ladders that were gone for a while
         carry_over(shown_->controls.rungs, shown_->scene(), rungs, scene);
-        if (hold_values_) recall(remembered(true), scene, rungs, Follow::memory);
+        if (hold_values_) recall(held(), scene, rungs, Follow::memory);
     } else if (!by_hand_.empty()) {
         apply_setup(read_setup(by_hand_), scene, rungs);
     } else {
@@ -107,6 +107,21 @@ void Session::hold_values(const std::vector<SavedFile>& files) {
     for (const SavedFile& file : files)
         if (in_use(file)) held_[file.path] = content::whole_file(file.path);
     hold_values_ = !held_.empty();
+    held_since_ = remembered(true).chosen;
+}
+
+Remembered Session::held() const {
+    Remembered all = remembered(true);
+    const bool own = ranges::all_of(held_, [](const auto& one) {
+        const auto& [file, text] = one;
+        std::error_code error;
+        return std::filesystem::is_regular_file(file, error) && content::whole_file(file) == text;
+    });
+    std::erase_if(all.chosen, [&](const auto& setting) {
+        const auto then = held_since_.find(setting.first);
+        return !own && then != held_since_.end() && then->second == setting.second;
+    });
+    return all;
 }
 
 bool Session::awaits_own() const {
@@ -188,7 +203,7 @@ void Session::take(std::unique_ptr<Document> read) {
 }
 
 void Session::carry_values(Document& read) {
-    const Remembered all = hold_values_ ? remembered(true) : Remembered{};
+    const Remembered all = hold_values_ ? held() : Remembered{};
     memory_ = remembered();
     if (!std::exchange(recovering_, false)) recall(memory_, read.scene(), read.controls);
     // A broken program has no controls for its values, so they are restored again until nothing is broken.

@@ -83,6 +83,8 @@ private:
     void recover(const Recovery& recovery);
     void choose(const Scene& scene, Rungs& rungs, Diagnostics& refused);
     void choose_first(const Scene& scene, Rungs& rungs, Diagnostics& refused);
+    // The values that are held; where another program has saved since, those that were changed since.
+    Remembered held() const;
     void carry_values(Document& read);
     void keep_shown();
     void watch(const Document& read);
@@ -101,6 +103,7 @@ private:
     Remembered memory_;        // values that shown_ does not have, and those with which it began
     bool hold_values_ = false;
     std::map<std::string, std::string> held_;  // the files for which it does, and their texts
+    Setup held_since_;                         // all values as they were then
     Follow followed_ = Follow::text;
     Rungs first_rungs_;
     Earlier earlier_;

@@ -315,10 +315,17 @@ void failure_boxes(const Rect& scene, float& bottom, Memory& memory, Requests& r
     if (done) open.erase(open.begin() + static_cast<std::ptrdiff_t>(*done));
 }
 
-// True if what could not be done has become needless. A scene that is gone is read again in vain.
-bool mended(const Failure& failure, bool read_again, const Facts& facts) {
-    if (failure.remedy == Remedy::reload) return read_again;
-    if (failure.remedy == Remedy::save_as) return read_again && !facts.stale;
+// The files were read again, but a scene that is gone only in vain. What was to be saved still is not, but can be now.
+void reread(Failure& failure, const Facts& facts) {
+    const bool again = failure.remedy == Remedy::reload || (failure.remedy == Remedy::save_as && !facts.stale);
+    if (!again) return;
+    failure.remedy = Remedy::save;
+    const std::size_t name = std::min(failure.text.find(" has changed since"), failure.text.find(" is gone"));
+    if (name != failure.text.npos) failure.text = failure.text.substr(0, name) + " was read again since";
+}
+
+// True if what could not be done has become needless.
+bool mended(const Failure& failure, const Facts& facts) {
     if (failure.remedy == Remedy::absent) return facts.snapshots[static_cast<std::size_t>(failure.snapshot)];
     return failure.remedy == Remedy::save && !facts.changed;
 }
@@ -378,7 +385,9 @@ float problems_panel(const Facts& facts, const Rect& picture, const Fonts& fonts
         memory.revision = facts.revision;
         memory.problems_hidden = false;
     }
-    std::erase_if(memory.failures.open, [&](const Failure& failure) { return mended(failure, read_again, facts); });
+    for (Failure& failure : memory.failures.open)
+        if (read_again) reread(failure, facts);
+    std::erase_if(memory.failures.open, [&](const Failure& failure) { return mended(failure, facts); });
     Rect scene = with_room(picture);
     if (memory.below > 0) scene.height = std::max(1.0F, ImGui::GetIO().DisplaySize.y - memory.below);
     float bottom = scene.y;

@@ -170,6 +170,35 @@ TEST_F(Past, ASaveRightAfterASaveOverwritesNoOtherProgramsSave) {
     EXPECT_NEAR(red(), .4, .05);
 }
 
+// The window has not read its own save yet, and nobody has touched that number.
+TEST_F(Past, WhatAnotherProgramSavesRightAfterASaveIsFollowed) {
+    open("one.glib");
+    slide(.75);
+    save("other.sh", "cd " + file("") + "; sed 's/uGreen <0. .4/uGreen <0. .9/' one.glib >other; mv other one.glib");
+    user("key ctrl+s exec --sync --terminator END sh " + file("other.sh") + " END");
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uGreen"][0] == .9; }));
+    slide(.5);
+    press("ctrl+s");
+    settle();
+    EXPECT_NE(bytes("one.glib").find("uGreen <0. .9"), std::string::npos) << bytes("one.glib");
+}
+
+// Reading it again does not save it.
+TEST_F(Past, ASaveThatIsRefusedIsSaidUntilItIsDone) {
+    open("one.glib");
+    slide(.75);
+    save("other.sh", "cd " + file("") + "; sed '1i # other' one.glib >other; mv other one.glib");
+    user("exec --sync --terminator END sh " + file("other.sh") + " END key ctrl+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    if (title().find("\u2022") == std::string::npos) return;  // the window was quick enough to read it first
+    EXPECT_NE(state()["failure"].get<std::string>().find("not saved"), std::string::npos) << state()["failure"];
+    press("ctrl+s");
+    settle();
+    EXPECT_EQ(state()["failure"], "");
+    EXPECT_EQ(title().find("\u2022"), std::string::npos);
+}
+
 TEST_F(Past, AChangeBetweenASaveAndTheEndIsThereNextTime) {
     open("one.glib");
     slide(.75);
