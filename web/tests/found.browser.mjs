@@ -110,6 +110,34 @@ for (const [what, bound, asked] of [['a value that makes a loop go on and on', '
         await page.close();
     });
 
+test('a picture that was kept small is whole again with a value that makes it quick', async () => {
+    const text = 'uniform float uA;\nvoid main() { float x = 0.; for (float i = 0.; i < uA; i++) x = fract(sin(x + i) * 43758.5); gl_FragColor = vec4(x, 1., 0., 1.); }\n';
+    const { page } = await opened({ ...scene('k.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), 'p.vert': vertex, 'p.frag': text });
+    await drawn(page);
+    const type = async (value) => {
+        await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
+        await page.keyboard.type(value);
+        await page.keyboard.press('Enter');
+    };
+    await type('1000000000');
+    await page.waitForSelector('dialog[open]');
+    await press(page, 'Keep it small', 'dialog[open]');
+    await until(page, () => /coarser/.test(document.querySelector('.status span').textContent));
+    await type('3');
+    await drawn(page);
+    await page.close();
+});
+
+test('work for vertices is not taken for work that grows with the picture', async () => {
+    const moving = 'uniform float uA;\nvoid main() { float x = uA; for (int i = 0; i < 4000; ++i) x = fract(sin(x) * 43758.5); gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex + vec4(x * 1e-9); }\n';
+    const plain = 'uniform float uA;\nvoid main() { gl_FragColor = vec4(uA, 1., 0., 1.); }\n';
+    const grid = { 'w.glib': scene('w.glib')['w.glib'].replace('Sphere 1 20 20', 'Sphere 1 100 100') };
+    const { page } = await opened({ ...grid, 'p.vert': moving, 'p.frag': plain });
+    await until(page, () => document.querySelector('dialog[open][aria-label="This scene takes long"]') || /ms$/.test(document.querySelector('.status span').textContent));
+    assert.equal(await page.$('dialog[open]'), null);
+    await page.close();
+});
+
 // A grey PNG image.
 function png(width, height) {
     const chunk = (kind, data) => {
