@@ -23,9 +23,13 @@ public:
     explicit Rounds(Unit& unit) : u_(unit) {}
 
     bool run() {
-        if (mentions(u_, "snell_Rounds")) return true;  // translated before
+        if (mentions(u_, "snell_round")) return true;  // translated before
         const double rounds = of_function("main");
-        if (counts_) declare_once(u_, "snell_Rounds", "highp int snell_Rounds = 0;");
+        if (counts_)
+            u_.header += fmt::format(
+                "highp int snell_Rounds = 0;\nhighp int snell_round(highp int n) "
+                "{{ return snell_Rounds += snell_Rounds < {} ? n : 0; }}\n",
+                most_rounds);
         return counts_ || rounds >= many;
     }
 
@@ -121,8 +125,7 @@ private:
         if (all.size() != (at(loop).text == "for" ? 4 : 2)) return;  // not understood
         counts_ = true;
         const Node& test = at(all[at(loop).text == "while" ? 0 : 1]);
-        const std::string few =
-            fmt::format("(snell_Rounds = min(snell_Rounds + {}, {})) < {}", weight, most_rounds, most_rounds);
+        const std::string few = fmt::format("snell_round({}) < {}", weight, most_rounds);
         if (test.form == Form::empty) {
             before(test.first, few);
         } else if (test.form == Form::declaration) {
