@@ -59,7 +59,7 @@ TEST_F(Loading, ItsWatcherIsToldOfEachStageFromNothingToAll) {
     folder.write("noise.frag",
                  "uniform sampler3D Noise3;\nvoid main() { gl_FragColor = texture3D(Noise3, vec3(.5)); }\n");
     const std::string scene =
-        "Noise3D 32\nTexture2D 5 a.bmp\nTexture2D 6 b.bmp\nTexture2D 7 b.bmp\nOrtho -1 1 -1 1\n"
+        "Noise3D 64\nTexture2D 5 a.bmp\nTexture2D 6 b.bmp\nTexture2D 7 b.bmp\nOrtho -1 1 -1 1\n"
         "Vertex plain.vert\nFragment texture.frag\nProgram A uUnit 5\nQuadXY\nProgram B uUnit 6\nQuadXY\n"
         "Fragment noise.frag\nProgram C\nObj t.obj\n";
     std::vector<LoadProgress> told;
@@ -87,7 +87,7 @@ TEST_F(Loading, ItsWatcherIsToldOfEachStageFromNothingToAll) {
     }
     EXPECT_TRUE(std::ranges::is_sorted(told, {}, &LoadProgress::stage));
     EXPECT_EQ(names.front(), "A");
-    EXPECT_EQ(std::ranges::count(names, "noise3d.032.tex") > 0, true) << "the longest work begins first";
+    EXPECT_EQ(std::ranges::count(names, "noise3d.064.tex") > 0, true) << "the longest work begins first";
 }
 
 TEST_F(Loading, APictureIsTheSameWatchedOrNot) {
