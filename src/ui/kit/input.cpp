@@ -18,8 +18,8 @@ bool is_press(const Event& event) { return event.kind == Event::Kind::button || 
 // Two presses are a double click by when they happened, however long the frames between them took: if they may be close
 // together, and cannot be a second apart. Of presses during a longer frame nobody knows. They are two clicks, because
 // what two clicks do can be undone, and a double click takes back the first one and opens a field that gets the next
-// keys. Dear ImGui compares the times of frames, so it is told to take any press or none; how far apart they are, it
-// knows.
+// keys. Dear ImGui compares the times of frames, so it is told to take any press or none; it knows how many pixels lie
+// between them.
 void count_click(const Event& event) {
     constexpr double longest = .3, apart = 1;  // seconds
     ClickMemory& last = kit().click;
