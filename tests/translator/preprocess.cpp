@@ -2,6 +2,7 @@
 #include "src/glsl/read/preprocess.h"
 
 #include <algorithm>
+#include <map>
 
 #include "tests/translator/translate_help.h"
 
@@ -105,6 +106,31 @@ TEST(GlslPreprocess, Includes) {
                     options);
     EXPECT_EQ(missing.count("missing-include"), 1);
     EXPECT_FALSE(missing.translation.ok);
+}
+
+// As C's headers: read once, though two files include it, and each other.
+TEST(GlslPreprocess, IncludedFilesGuardThemselves) {
+    const std::map<std::string_view, std::string> texts = {
+        {"once.glsl", "#pragma once\n#include \"once.glsl\"\nfloat once(float x) { return x; }\n"},
+        {"left.glsl",
+         "// left\n# ifndef LEFT\n#define LEFT\n#include \"right.glsl\"\nfloat left() { return 1.; }\n#endif\n"},
+        {"right.glsl", "#ifndef RIGHT\n#define RIGHT\n#include \"left.glsl\"\nfloat right() { return 2.; }\n#endif\n"},
+        {"other.glsl", "#ifndef NOBODY\n#include \"other.glsl\"\n#endif\n"}};
+    Options options;
+    options.target = core450;
+    options.include = [&](std::string_view, std::string_view name, bool) {
+        return IncludeText{std::string(name), texts.at(name)};
+    };
+    Translated t;
+    const std::string both = "#include \"once.glsl\"\n#include \"left.glsl\"\n";
+    translate_texts(t,
+                    {{Stage::fragment, both + both + "void main() { gl_FragColor = vec4(once(left()) * right()); }\n"}},
+                    options);
+    EXPECT_TRUE(t.diagnostics.empty());
+    expect_accepted(t.translation);
+    Translated other;
+    translate_texts(other, {{Stage::fragment, "#include \"other.glsl\"\nvoid main() {}\n"}}, options);
+    EXPECT_EQ(other.count("include-cycle"), 1);
 }
 
 TEST(GlslPreprocess, DefinesFromOutsideWin) {

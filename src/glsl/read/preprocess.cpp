@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
@@ -120,6 +121,7 @@ private:
     void conditional(std::string_view name, std::string_view rest, std::size_t start, std::size_t end);
     void define(std::string_view rest);
     void include(std::string_view rest, std::size_t start, std::size_t end);
+    bool guarded(std::string_view text) const;
     void version(std::string_view rest, std::size_t start, std::size_t end);
     void extension(std::string_view rest, std::size_t start, std::size_t end);
     bool invocation(const Lexeme& name);
@@ -157,6 +159,7 @@ private:
     Macros macros_;
     std::vector<Conditional> conditionals_;
     std::vector<std::string> file_name_;  // of the files being read, for cycles and relative names
+    std::set<std::string> once_;          // files that are read only once
     bool shadows_language_ = false;
     bool broken_ = false;  // conditionals that a driver would refuse
 
@@ -340,6 +343,10 @@ void Preprocessor::perform(std::string_view name, std::string_view rest, std::si
     } else if (name == "undef") {
         const std::vector<MacroToken> tokens = macro_tokens(rest);
         if (!tokens.empty()) macros_.undefine(tokens.front().text);
+    } else if (const std::vector<MacroToken> words = name == "pragma" ? macro_tokens(rest) : std::vector<MacroToken>();
+               words.size() == 1 && words.front().text == "once") {
+        once_.insert(file_name_.back());
+        return blank_out(start, end);
     } else if (name == "pragma" && unit_.stage == Stage::fragment && rest.find("STDGL") != rest.npos) {
         return blank_out(start, end);  // `invariant(all)`, which newer versions refuse where nothing is passed on
     } else if (name != "pragma" && name != "line" && name != "error" && !name.empty()) {
@@ -402,6 +409,14 @@ void Preprocessor::extension(std::string_view rest, std::size_t start, std::size
     blank_out(start, end, std::string_view(&extension_mark, 1));
 }
 
+// Whether the text begins with `#ifndef NAME` of a name that is defined, so that reading it again gives nothing.
+bool Preprocessor::guarded(std::string_view text) const {
+    const std::size_t start = skip_trivia(text, 0).end;
+    if (start >= text.size() || text[start] != '#') return false;
+    const std::vector<MacroToken> words = macro_tokens(text.substr(start + 1, directive_end(text, start) - start - 1));
+    return words.size() == 2 && words[0].text == "ifndef" && macros_.find(words[1].text);
+}
+
 void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t end) {
     const std::size_t i = skip_trivia(rest, 0).end;
     const bool angle = i < rest.size() && rest[i] == '<';
@@ -422,8 +437,9 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
                            "cannot read the included file '" + std::string(name) + "'" + (got ? ": " + got->why : ""));
         return blank_out(start, end);
     }
+    if (once_.contains(got->name)) return blank_out(start, end);
     if (std::find(file_name_.begin(), file_name_.end(), got->name) != file_name_.end()) {
-        diagnostics_.error("include-cycle", where, "'" + got->name + "' includes itself");
+        if (!guarded(got->text)) diagnostics_.error("include-cycle", where, "'" + got->name + "' includes itself");
         return blank_out(start, end);
     }
     const bool deep = file_name_.size() > options_.limits.include_depth;
