@@ -25,17 +25,22 @@ def anchors(text):
 
 # A file of the repository as prose names it; a placeholder such as NAME or … in it stands for any text.
 FILE = re.compile(r"(?<![\w./-])((?:src|tests|parser|tools|shaders|cmake|editors)/[\w./…-]*\w)")
-TEST = re.compile(r"`([A-Z]\w+)\.([A-Z]\w+)(\*?)`")
+# One without its folder, but for that of glman, and one that a page tells the reader to write.
+BARE = re.compile(r"`(?!gstap\.h|job\.sh)([\w-]+\.(?:cpp|h|py|sh|mjs|ts))`")
+TEST = re.compile(r"`([A-Z]\w+)\.([A-Z]\w+|(?=\*))(\*?)`")
 
 
-def missing_names(text, root, tests):
+def missing_names(text, root, tests, files):
     """The files and tests that a page names and that are not there."""
+    for name in BARE.findall(text):
+        if name not in files:
+            yield name, "there is no such file"
     for name in FILE.findall(LINK.sub("]", text)):
         pattern = re.sub(r"NAME|…", "*", name)
         if not any(root.glob(pattern)) and not any(root.glob(pattern + ".*")):
             yield name, "there is no such file"
     for suite, test, more in TEST.findall(text):
-        if suite in tests and not any(one == test or more and one.startswith(test) for one in tests[suite]):
+        if not any(one == test or more and one.startswith(test) for one in tests[suite]):
             yield f"{suite}.{test}", "there is no such test"
 
 
@@ -52,6 +57,7 @@ def main():
     pages = [root / "README.md", root / "CHANGELOG.md", *root.glob("docs/**/*.md"), *root.glob("scenes/**/*.md")]
     texts = {page: page.read_text() for page in pages}
     tests = read_tests(root)
+    files = {file.name for part in ("parser", "src", "tests", "web", "editors") for file in (root / part).rglob("*.*")}
     links = wrong = 0
     for page, text in sorted(texts.items()):
         for link in LINK.findall(CODE.sub("", FENCE.sub("", text))):
@@ -69,7 +75,7 @@ def main():
             wrong += 1
             print(f"{page.relative_to(root)}: {link}: {reason}")
         if root / "docs" in page.parents:
-            for name, reason in missing_names(text, root, tests):
+            for name, reason in missing_names(text, root, tests, files):
                 wrong += 1
                 print(f"{page.relative_to(root)}: {name}: {reason}")
     print(f"{links} links of {len(pages)} pages, {wrong} wrong")
