@@ -100,6 +100,14 @@ for (const [what, bound, asked] of [['a value that makes a loop go on and on', '
         await page.keyboard.press('Enter');
         if (asked) {
             await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
+            // Without graphics there is nothing to decide; with them again, there is.
+            await page.evaluate(() => {
+                window.context = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+                window.context.loseContext();
+            });
+            await until(page, () => !document.querySelector('dialog[open]'));
+            await page.evaluate(() => window.context.restoreContext());
+            await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
             await press(page, 'Cancel', 'dialog[open]');
             await until(page, () => /^not drawn/.test(document.querySelector('.status span').textContent));
             await page.evaluate(() => document.activeElement.blur());

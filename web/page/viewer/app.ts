@@ -248,6 +248,7 @@ export class Page {
             event.preventDefault();
             drawing = this.painter?.busy ?? false;
             this.lost = true;
+            this.painter?.withdraw();
             if (!this.dead) this.say('The browser took the graphics away. The picture comes back with them.', 'graphics');
         });
         this.canvas.addEventListener('webglcontextrestored', () => void this.restored(drawing));

@@ -107,12 +107,17 @@ export class Painter {
 
     // The text is another one: what was found out about the one before says nothing of it.
     edited(risky: boolean): void {
-        this.question?.abort();
+        this.withdraw();
         this.risky = risky;
         this.lookedAhead = -Infinity;
         this.accepted = longest;
         this.least = 1;
         this.request();
+    }
+
+    // There is nothing to answer any more.
+    withdraw(): void {
+        this.question?.abort();
     }
 
     // Whether the graphics have something to do.
