@@ -1,5 +1,6 @@
 // A window whose driver gave up: it goes on with what was last drawn well.
 #include "tests/gui/desk.h"
+#include "tests/gui/x11.h"
 #include "tests/sanitized.h"
 
 namespace snell::test {
@@ -120,6 +121,49 @@ TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
     EXPECT_TRUE(alive());
     save("paint.frag", paint("uPaint.grb"));
     EXPECT_TRUE(shows(green)) << "an edit of the shader alone is another try";
+}
+
+// The scene that hung is blamed, and tried again; the one before stays as it was.
+TEST_F(Recovery, AFirstPictureThatDoesNotEndIsThatOfItsOwnScene) {
+    save("scene.glib",
+         "Ortho -1 1 -1 1\nVertex paint.vert\nFragment blue.frag\nProgram Paint uBlue <0. .2 1.>\nQuadXY 0. 9.\n");
+    save("blue.frag", "uniform float uBlue;\nvoid main() { gl_FragColor = vec4(0., 0., uBlue, 1.); }\n");
+    save("slow.frag", "uniform vec3 uPaint;\nvoid main() {\n  float x = gl_FragCoord.x;\n" +
+                          loops("60000", "uPaint.r") + "  gl_FragColor = vec4(x);\n}\n");
+    save("slow.glib",
+         "Ortho -1 1 -1 1\nVertex paint.vert\nFragment slow.frag\nProgram Paint uPaint [1. 0. 0.]\nQuadXY 0. 9.\n");
+    open("scene.glib", {"--timeout", "2"});
+    drag(on("Paint.uBlue", .2), on("Paint.uBlue", .7));
+    settle();
+    const nlohmann::json before = state();
+    const Pixel scene_blue = scene_pixel(90, 70);
+    ASSERT_GT(scene_blue.blue, 120);
+    user("key ctrl+o");
+    settle();
+    user("type --delay 20 ./slow.glib");
+    settle();
+    user("key Return");
+    const std::array<double, 4> scene = before["scene"];
+    const double x = scene[0] + scene[2] / 2, y = scene[1] + scene[3] / 2;
+    bool said = false;  // over the picture that was there, without the dialog
+    for (int looks = 0; looks < 60 && !said && restarts() == 0; ++looks) {
+        const Picture picture = look();
+        said = picture.at(x + 90, y + 70) == scene_blue && picture.at(x, y - 12).blue < 60;
+    }
+    EXPECT_TRUE(said);
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }));
+    settle();
+    EXPECT_EQ(state()["file"], file("./slow.glib"));
+    const std::string problems = state()["problems"];
+    EXPECT_NE(problems.find("a frame of slow.glib did not end"), std::string::npos) << problems;
+    EXPECT_NE(bytes("out/errors").find("drawing a frame of slow.glib takes longer"), std::string::npos);
+    EXPECT_FALSE(state()["widgets"].contains("browser.cancel"));
+    save("slow.frag", paint("uPaint.grb"));
+    EXPECT_TRUE(shows(green)) << "an edit of its shader is another try";
+    ASSERT_TRUE(drop_files(display_, {file("scene.glib")}));
+    ASSERT_TRUE(wait([&](const nlohmann::json& state) { return state["file"] == file("scene.glib"); }));
+    settle();
+    EXPECT_EQ(state()["controls"], before["controls"]);
 }
 
 TEST_F(Recovery, WhatWasSetByHandOutlivesTheMoveThatHung) {

@@ -60,6 +60,8 @@ private:
     // Stores the state for a window that may have to replace this one: the last state that was drawn without problems,
     // because the current one may be their cause.
     void keep_by_hand();
+    // The same before the first picture of a scene, which may end this window as well.
+    void keep_first();
 
     // The document whose picture the window shows: the scene's, or that of a found rung. Null: there is no scene.
     Document* shown_document();
@@ -121,6 +123,7 @@ private:
     app::Deadline hang_;
     std::vector<Event> events_;
     std::uint64_t kept_frame_ = 0;              // the frame whose state Restart has
+    std::uint64_t opened_at_ = 0;               // the number of frames before the scene was opened
     std::array<std::uint64_t, 2> presented_{};  // the panels, and what lies over the picture, as last presented
     int unsettled_ = 3;                         // number of frames to draw even without input
     // Number of frames to present even if nothing changed: some drivers learn a new size with the next picture.
@@ -247,7 +250,7 @@ Carried App::carried() {
 
 Carried App::carry(Recovery recovery) {
     const PixelSize size = window_->size();
-    View view = display_.counters().frames > 0 ? display_.drawn().stand.view : interface_.view();
+    View view = display_.counters().frames > opened_at_ ? display_.drawn().stand.view : interface_.view();
     view.axes = interface_.view().axes;  // they are not drawn while everything is hidden
     return {workspace_.session().path(),    std::move(recovery),         std::move(view), {size.width, size.height},
             interface_.memory().clock.time, interface_.memory().failures};
@@ -261,6 +264,15 @@ void App::keep_by_hand() {
     kept_frame_ = display_.counters().frames;
     restart_.keep(carry(
         {nullptr, workspace_.session().files(), setup_text(changed_setup(document->scene(), document->controls)), {}}));
+}
+
+void App::keep_first() {
+    const Document& document = *workspace_.document();
+    restart_.keep(carry({nullptr,
+                         workspace_.session().files(),
+                         setup_text(changed_setup(document.scene(), document.controls)),
+                         {}}),
+                  display_.counters().frames > 0);
 }
 
 Document* App::shown_document() {
@@ -412,6 +424,7 @@ void App::show_scene(const std::optional<std::string>& path) {
         interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }
+    opened_at_ = kept_frame_ = display_.counters().frames;
     interface_.begin_scene(*path);
     workspace_.begin(interface_.view(), interface_.memory().notice);
     picking_ = {};
@@ -476,10 +489,10 @@ void App::serve(const ui::Requests& requests) {
 void App::show(bool repaint) {
     const PixelSize pixels = window_->framebuffer();
     const ui::Memory& memory = interface_.memory();
-    Document* document = workspace_.document();
     remember_size();
     const bool first = first_picture();
     if (first) show_before_first(repaint);
+    Document* document = workspace_.document();
     const bool drew = document && draw_scene();
     if (lost()) return;
     if (first) interface_frame({});
@@ -500,11 +513,13 @@ void App::show(bool repaint) {
 bool App::first_picture() { return workspace_.document() && begun_ != workspace_.session().path(); }
 
 void App::show_before_first(bool repaint) {
+    interface_frame({});  // the last one may be that which opened the scene
     for (int i = 0; i < (repaint ? 2 : 1); ++i) {
         display_.show(window_->framebuffer(), std::nullopt);
         paint();
     }
     begun_ = workspace_.session().path();
+    keep_first();
 }
 
 void App::paint() {
@@ -537,6 +552,7 @@ bool App::draw_scene() {
                       document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
     const bool held = interface_.pressed();
     const Wanted wanted{held, memory.always_sharp || (memory.animating() && !held), measuring_.wants_picture()};
+    const std::string drawing = "drawing a frame of " + workspace_.name();
     measuring_.prepare(document, session, memory.accuracy);
     Document& shown = measuring_.shown(document);
     const std::uint64_t showing = measuring_.showing();
@@ -547,7 +563,7 @@ bool App::draw_scene() {
         if (!beside) return false;
         Stand other = stand;
         other.values = values_of(beside->controls);
-        hang_.begin("drawing a frame");
+        hang_.begin(drawing);
         const bool drew =
             display_.draw_beside({revision, std::move(other), beside->controls.rungs, showing}, *beside, density);
         hang_.rest();
@@ -556,7 +572,7 @@ bool App::draw_scene() {
     };
     if (!display_.prepare({revision, stand, document.controls.rungs, showing, object}, shown, wanted))
         return draw_beside();
-    hang_.begin("drawing a frame");
+    hang_.begin(drawing);
     display_.draw(shown, measuring_.begin_picture(revision + (showing << 32U)), density);
     hang_.rest();
     if (lost()) return false;

@@ -26,6 +26,8 @@ public:
               Past& past);
 
     Session& session() { return session_; }
+    // Of the scene's file, as displayed; after tell().
+    const std::string& name() const { return name_; }
     // The scene's folder, as displayed.
     std::string folder();
     Document* document() { return session_.document(); }

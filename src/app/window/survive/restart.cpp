@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "parser/text/words.h"
 #include "src/content/files.h"
 
 namespace snell {
@@ -94,7 +95,9 @@ std::optional<Carried> Restart::carried() const {
         problem.help = fmt::format("F5 or another edit tries again{}; --limit asks for less", comes_back);
     } else {
         problem.code = "frame-too-long";
-        problem.message = "a frame did not end, and the window was started again; nothing is drawn";
+        const std::string name = utf8::printable(std::filesystem::path(carried.scene).filename().string());
+        problem.message = fmt::format("a frame{} did not end, and the window was started again; nothing is drawn",
+                                      name.empty() ? "" : " of " + name);
         problem.help = fmt::format(
             "a loop in a shader may not end; F5 or another edit tries again{}; --timeout SECONDS waits longer",
             comes_back);
@@ -109,13 +112,13 @@ void Restart::trying() {
 }
 
 // The new text replaces the old one at once, so that a restart never finds half of it.
-void Restart::keep(const Carried& carried) {
+void Restart::keep(const Carried& carried, bool worth_it) {
     const std::string text = carried_text(carried);
     const int fresh = new_memory();
     if (fresh < 0 || memory_ < 0) return;
     if (write(fresh, text.data(), text.size()) == static_cast<ssize_t>(text.size())) dup3(fresh, memory_, O_CLOEXEC);
     close(fresh);
-    worth_it_ = true;
+    if (worth_it) worth_it_ = true;
 }
 
 app::Deadline Restart::hang_watch(double seconds) const {

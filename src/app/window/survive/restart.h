@@ -24,8 +24,8 @@ public:
 
     // The state that a restarted window begins with.
     std::optional<Carried> carried() const;
-    // Stores the state for the next window, if there will be one.
-    void keep(const Carried& carried);
+    // Stores the state for the next window, if there will be one. `worth_it`: also where memory runs out.
+    void keep(const Carried& carried, bool worth_it = true);
     // Tells that the scene is about to be read again. If memory runs out before this call and before a state is kept,
     // the program ends, because it would restart over and over. Files that are saved from now on count as another edit.
     void trying();
