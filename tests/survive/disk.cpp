@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "src/app/desktop/settings.h"
-#include "src/app/open/snapshots.h"
+#include "src/app/open/states.h"
 #include "src/app/open/write_copy.h"
 #include "src/app/window/survive/keeper.h"
 #include "src/content/image/image.h"

@@ -6,7 +6,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
-#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/html_page.h"
 #include "src/content/image/reduced.h"

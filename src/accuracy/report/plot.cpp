@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/plot/plot.h"
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "tests/accuracy/shaders/help.h"
 #include "tests/sanitized.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/app/open/complain.h"
+#include "src/plan/locate.h"
 
 namespace snell {
 

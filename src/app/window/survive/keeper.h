@@ -13,7 +13,7 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
 #include "src/app/open/command_text.h"
-#include "src/app/open/snapshots.h"
+#include "src/app/open/states.h"
 #include "src/document/document.h"
 #include "src/plan/plan.h"
 #include "src/plan/setup.h"
