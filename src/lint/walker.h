@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/glsl/read/loops.h"
 #include "src/glsl/read/token.h"
+#include "src/glsl/read/tree.h"
 #include "src/lint/lint.h"
 
 namespace snell::lint {

@@ -26,7 +26,6 @@
 #include "src/app/open/progress.h"
 #include "src/content/files.h"
 #include "src/content/image/module.h"
-#include "src/content/image/open_module.h"
 #include "src/content/workers.h"
 
 namespace snell::app {

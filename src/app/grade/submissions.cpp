@@ -21,7 +21,6 @@
 #include "src/content/files.h"
 #include "src/content/html_page.h"
 #include "src/content/load_module.h"
-#include "src/content/regular_file.h"
 #include "src/document/document.h"
 #include "src/plan/locate.h"
 

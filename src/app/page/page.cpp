@@ -26,7 +26,6 @@
 #include "src/content/table.h"
 #include "src/content/text_forms.h"
 #include "src/document/document.h"
-#include "src/plan/identity.h"
 #include "src/plan/plan.h"
 #include "src/plan/setup.h"
 #include "src/plan/texts.h"

@@ -26,7 +26,7 @@
 #include "src/app/window/survive/restart.h"
 #include "src/app/window/window_state.h"
 #include "src/app/window/workspace.h"
-#include "src/content/regular_file.h"
+#include "src/content/files.h"
 #include "src/ui/kit/input.h"
 
 namespace snell {
