@@ -9,7 +9,6 @@
 #include "src/plan/locate.h"
 #include "src/plan/view.h"
 #include "src/ui/shell.h"
-#include "src/ui/status.h"
 
 namespace snell {
 
