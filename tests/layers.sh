@@ -15,7 +15,7 @@ code() { find parser src tools -name '*.h' -o -name '*.cpp' | sort; }
 complain "OpenGL is called in src/gl and src/runtime only, and where a platform provides it" \
   "$(code | grep -vE '^src/(gl|runtime|platform/epoxy|platform/web)/' |
      xargs grep -nE '\bgl[A-Z][A-Za-z0-9]*\(|#include <(epoxy/gl.h|snell_opengl.h|GLES)')"
-complain "libepoxy is one platform's: src/gl/api.h and driver.h stand for it" \
+complain "libepoxy is one platform's: src/gl/driver.h and driver.h stand for it" \
   "$(code | grep -vE '^src/platform/' | xargs grep -nE '\bepoxy_|#include <epoxy')"
 complain "calls that OpenGL ES 3.0 lacks go through src/gl/driver.h" \
   "$(code | grep -vE '^src/platform/' | xargs grep -nE '\bgl(PolygonMode|PointSize|PatchParameteri|Tex(Image|Storage)(1D|[23]DMultisample)|TexBuffer|Uniform[1-4]dv?|GetProgramResource[a-z]*|QueryCounter|GetQueryObject(i|u?i64)v|DebugMessage[A-Z][a-z]*|GetGraphicsResetStatus|MapBuffer|GetTexImage|DrawBuffer|ClearDepth)\(')"

@@ -2,7 +2,6 @@
 #include "parser/commands/handlers.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
-#include "parser/read/uniforms.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 

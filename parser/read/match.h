@@ -1,4 +1,5 @@
-// Matches statements with the signatures of their commands, which gives their arguments.
+// Matches statements with the signatures of their commands, which gives their arguments; the uniforms of Program lines
+// have a syntax of their own.
 #pragma once
 
 #include <array>
@@ -10,6 +11,9 @@
 
 #include "parser/commands/commands.h"
 #include "parser/read/syntax.h"
+#include "parser/scene.h"
+#include "parser/text/diagnostic.h"
+#include "parser/text/limits.h"
 
 namespace snell {
 
@@ -64,5 +68,21 @@ private:
 // Returns false and reports an error if the statement does not fit the signature.
 bool match(const Command& command, const Statement& statement, const StatementReader& reader, Collector& report,
            Arguments& arguments);
+
+// Parses the uniforms of Program lines: names and values.
+
+struct UniformList {
+    std::string program;  // the words before the first uniform, if requested
+    std::vector<UniformValue> uniforms;
+};
+
+// Parses `name value name value …`, preceded by the program's name if `named`. Returns everything that can be
+// understood and reports the rest.
+UniformList read_uniforms(std::span<const Token> tokens, const Lexer& lexer, Collector& report, const Limits& limits,
+                          bool named);
+
+// True if the tokens look like a uniform and its value rather than a command, such as `uSc <0. .5 1.>`, or like
+// `several`.
+bool looks_like_uniform(std::span<const Token> tokens, const Lexer& lexer, bool several);
 
 }  // namespace snell

@@ -6,7 +6,6 @@
 #include "parser/commands/commands.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
-#include "parser/read/uniforms.h"
 #include "parser/text/ranges.h"
 #include "parser/text_of.h"
 

@@ -1,4 +1,4 @@
-#include "parser/read/uniforms.h"
+#include "parser/read/match.h"
 
 #include <algorithm>
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "src/accuracy/frame_clock.h"
 #include "src/accuracy/metrics.h"
+#include "src/accuracy/timing.h"
 #include "src/gl/target.h"
 #include "src/plan/plan.h"
 #include "src/runtime/runtime.h"

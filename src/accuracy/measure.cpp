@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "src/runtime/resources/counters.h"
 
 namespace snell::accuracy {

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "src/app/help/run.h"
+#include "src/app/help/program.h"
 
 int main(int argc, char** argv) {
     const int status = snell::app::run(argc, argv);

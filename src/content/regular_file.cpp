@@ -1,4 +1,4 @@
-#include "src/content/regular_file.h"
+#include "src/content/files.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

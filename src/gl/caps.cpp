@@ -4,7 +4,6 @@
 #include <array>
 #include <string_view>
 
-#include "src/gl/api.h"
 #include "src/gl/driver.h"
 
 namespace snell::gl {

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "src/gl/api.h"
 #include "src/gl/driver.h"
 
 namespace snell::gl {

@@ -1,10 +1,11 @@
-// What the platform's driver is asked: its health, its messages, and calls that OpenGL ES 3.0 lacks.
+// OpenGL's header, which the platform provides: libepoxy's (src/platform/epoxy), or that of a browser; and what the
+// platform's driver is asked: its health, its messages, and calls that OpenGL ES 3.0 lacks.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
-#include "src/gl/api.h"
+#include <snell_opengl.h>
 
 namespace snell::gl {
 

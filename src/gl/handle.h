@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "src/gl/api.h"
+#include "src/gl/driver.h"
 
 namespace snell::gl {
 

@@ -1,14 +1,107 @@
 // What editors ask of a scene and its shaders. All take any text, however broken, and any offset; files are those of
-// Project::file_of, and spans lie within their texts. Nothing is read but the folder whose files are offered.
+// Project::file_of, and spans lie within their texts. Nothing is read but the folder whose files are offered. Answers
+// are plain values, with places as bytes of a source. No protocol.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include "src/language/answers.h"
+#include "parser/text/source.h"
 #include "src/language/project.h"
+#include "src/plan/values/write_back.h"
 
 namespace snell::language {
+
+struct Completion {
+    enum class Kind : std::uint8_t {
+        command,  // of the language of scenes, with its arguments
+        choice,   // a word of an enumeration, a truth value, a rung
+        number,   // a value, such as a texture unit
+        file,
+        folder,
+        uniform,
+        program,
+        function,
+        variable,
+        constant,  // also macros
+        type,
+        keyword,
+        member,
+    };
+    std::string label;
+    Kind kind = Kind::variable;
+    std::string detail;         // one line, such as a signature or a type
+    std::string documentation;  // Markdown
+    Span replaced;              // what `text` replaces: the word that is being written
+    std::string text;
+    bool snippet = false;         // `text` has the placeholders of LSP: $1, ${1:radius}, $0; \ $ } are escaped
+    int rank = 1;                 // smaller ones first; of equal ones by label
+    bool more = false;            // completion continues after it: a folder
+    std::vector<Edit> also = {};  // elsewhere in the text, such as the declaration of the uniform
+};
+
+struct Hover {
+    Span span;                  // of what it explains
+    std::string documentation;  // Markdown
+    // A file in docs/, such as "images/Sphere.png", which may not be installed, or a path; empty: none.
+    std::string picture = {};
+};
+
+struct Signature {
+    std::string label;
+    std::string documentation;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> parameters;  // bytes of the label
+};
+struct SignatureHelp {
+    std::vector<Signature> signatures;
+    std::size_t signature = 0, parameter = 0;  // the current ones; `parameter` may be past the last
+};
+
+struct Symbol {
+    enum class Kind : std::uint8_t {
+        pass,
+        program,
+        uniform,
+        ladder,
+        rung,
+        draw,
+        texture,
+        include,
+        function,
+        variable,
+        constant,
+        structure,
+        member,
+        macro,
+    };
+    Kind kind = Kind::variable;
+    std::string name, detail;
+    Span span, name_span;  // the second is within the first
+    std::vector<Symbol> children = {};
+};
+
+struct Color {
+    Span span;                   // of the numbers, which `color_edits` takes
+    std::array<double, 4> rgba;  // within 0 and 1
+};
+
+// Where a name can be renamed, or why not.
+struct Renaming {
+    Span span;            // of the name under the cursor; empty: there is none
+    std::string name;     // what it is now
+    std::string refused;  // why it can't be renamed; empty: it can
+};
+struct Rename {
+    std::vector<Edit> edits;  // sorted by file and place, each place once
+    std::string refused;      // why there are none
+};
+
+// The questions.
 
 std::vector<Completion> completions(const Project& project, FileId file, std::uint32_t offset);
 std::optional<Hover> hover(const Project& project, FileId file, std::uint32_t offset);

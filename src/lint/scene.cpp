@@ -8,8 +8,8 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
-#include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/tree.h"
 #include "src/glsl/read/words.h"
 #include "src/lint/walker.h"

@@ -12,7 +12,6 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/words.h"
 #include "src/content/files.h"
-#include "src/content/regular_file.h"
 #include "src/plan/locate.h"
 
 namespace snell {

@@ -4,7 +4,6 @@
 #include "src/content/cube/convolve.h"
 #include "src/content/image/noise.h"
 #include "src/content/workers.h"
-#include "src/plan/identity.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"
 

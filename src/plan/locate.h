@@ -53,4 +53,11 @@ bool same_kind(std::string_view file, std::string_view asked, const std::vector<
 // Extensions count little: same_kind() has decided about them.
 std::string_view nearest_file(std::string_view asked, const std::vector<std::string_view>& files);
 
+// What messages say of a statement.
+
+// The statement's text in one line, cut if it is long.
+std::string statement_text(const Span& span, const Sources& sources);
+// The statement's place, such as "scene.glib:12".
+std::string statement_place(const Span& span, const Sources& sources);
+
 }  // namespace snell

@@ -7,8 +7,8 @@
 #include "parser/read/parse.h"
 #include "shaders/embedded.h"
 #include "src/glsl/read/lexer.h"
-#include "src/plan/identity.h"
 #include "src/plan/locate.h"
+#include "src/plan/plan.h"
 
 namespace snell {
 

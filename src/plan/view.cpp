@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "parser/text/ranges.h"
-#include "src/plan/identity.h"
 #include "src/plan/plan.h"
 
 namespace snell {

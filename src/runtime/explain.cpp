@@ -10,7 +10,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "parser/text_of.h"
-#include "src/plan/identity.h"
+#include "src/plan/plan.h"
 #include "src/runtime/impl.h"
 
 namespace snell {

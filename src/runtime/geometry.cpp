@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "src/plan/identity.h"
+#include "src/plan/plan.h"
 #include "src/runtime/impl.h"
 #include "src/runtime/resources/counters.h"
 

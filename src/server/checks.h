@@ -1,5 +1,5 @@
 // Diagnostics of the open scenes, in the background: first those that need no driver, after a rest the driver's too.
-// Diagnostics as editors take them: file by file.
+// Editors take them file by file.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 #include "src/content/process.h"
 #include "src/server/documents.h"
 #include "src/server/state.h"
-#include "src/server/wire/lines.h"
+#include "src/server/wire/messages.h"
 
 namespace snell::server {
 

@@ -14,7 +14,7 @@
 
 #include "src/language/project.h"
 #include "src/plan/files.h"
-#include "src/server/wire/lines.h"
+#include "src/server/wire/messages.h"
 
 namespace snell::server {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "src/server/state.h"
-#include "src/server/wire/lines.h"
+#include "src/server/wire/messages.h"
 
 namespace snell::server {
 

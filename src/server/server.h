@@ -9,8 +9,7 @@
 #include <sys/types.h>
 
 #include "src/server/state.h"
-#include "src/server/wire/inbox.h"
-#include "src/server/wire/lines.h"
+#include "src/server/wire/messages.h"
 
 namespace snell::server {
 

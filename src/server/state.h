@@ -10,7 +10,7 @@
 #include "parser/text/source.h"
 #include "src/plan/files.h"
 #include "src/server/documents.h"
-#include "src/server/wire/lines.h"
+#include "src/server/wire/messages.h"
 
 namespace snell::server {
 

@@ -1,4 +1,4 @@
-#include "src/ui/help.h"
+#include "src/ui/shell.h"
 
 #include <imgui.h>
 

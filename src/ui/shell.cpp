@@ -12,7 +12,6 @@
 #include "parser/text/ranges.h"
 #include "src/plan/values/numbers.h"
 #include "src/plan/view.h"
-#include "src/ui/help.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
@@ -21,7 +20,6 @@
 #include "src/ui/panels/panels.h"
 #include "src/ui/panels/pixels.h"
 #include "src/ui/panels/textures.h"
-#include "src/ui/status.h"
 
 namespace snell::ui {
 

@@ -1,4 +1,4 @@
-#include "src/ui/status.h"
+#include "src/ui/shell.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,11 @@
 // What the report says of found rungs, for results made by hand.
-#include "src/accuracy/report/found.h"
+#include "src/accuracy/report/report.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "src/accuracy/found/search.h"
-#include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 namespace {

@@ -1,13 +1,11 @@
 // Reports of several machines: what holds on all of them, and what does not.
-#include "src/accuracy/report/merge.h"
+#include "src/accuracy/report/report.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
 #include <vector>
-
-#include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {
 namespace {

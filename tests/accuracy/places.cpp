@@ -1,12 +1,10 @@
 // Places come from a seed alone, and stay where a user could move.
-#include "src/accuracy/found/places.h"
+#include "src/accuracy/found/search.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "src/accuracy/found/search.h"
 
 namespace snell::accuracy {
 namespace {
@@ -54,7 +52,7 @@ TEST(Places, TheSceneIsFirstAndTheSeedDecidesTheOthers) {
     for (std::size_t i = 1; i < a.size(); ++i) EXPECT_NE(a[i], a[i - 1]);
 }
 
-// Computed apart from the code, from the words in places.h: the numbers of std::mt19937_64 with seed 1 are first those
+// Computed apart from the code, from the words in search.h: the numbers of std::mt19937_64 with seed 1 are first those
 // of all views and times, then, for each uniform, those of its order and its values.
 TEST(Places, TheNumbersOfASeedAreKnown) {
     const Glass glass;

@@ -1,5 +1,5 @@
 // How the time for rounds is divided, by a clock that only the frames move.
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 
 #include "parser/text/words.h"
 #include "src/accuracy/found/search.h"
-#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "tests/scratch.h"
 

@@ -3,7 +3,7 @@
 
 #include <signal.h>
 
-#include "src/app/grade/processes.h"
+#include "src/app/grade/grade.h"
 #include "src/app/open/complain.h"
 
 namespace snell::app {

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "src/app/desktop/folder.h"
-#include "src/app/desktop/scene_pictures.h"
 #include "src/app/desktop/settings.h"
 #include "src/app/window/opener.h"
 #include "tests/scratch.h"

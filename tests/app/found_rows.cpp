@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/accuracy/report/found.h"
+#include "src/accuracy/report/report.h"
 
 namespace snell {
 namespace {

@@ -1,5 +1,5 @@
 // What is kept of each scene: it comes back to the same bits, and nothing on the disk does harm.
-#include "src/app/desktop/kept_scenes.h"
+#include "src/app/desktop/settings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The file that the window's page goes to.
-#include "src/app/desktop/page_maker.h"
+#include "src/app/window/saver.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "src/app/open/snapshots.h"
+#include "src/app/open/states.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"
 

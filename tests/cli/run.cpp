@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/app/help/run.h"
+#include "src/app/help/program.h"
 #include "src/content/load_module.h"
 #include "src/content/process.h"
 #include "tests/sanitized.h"

@@ -5,7 +5,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/app/open/command_text.h"
-#include "src/app/open/snapshots.h"
+#include "src/app/open/states.h"
 #include "src/app/open/write_copy.h"
 #include "src/document/document.h"
 #include "src/plan/setup.h"

@@ -1,8 +1,8 @@
 // `snell accuracy --list-found` and --apply: what they write, and what they leave alone.
 #include <nlohmann/json.hpp>
 
-#include "src/accuracy/found/average.h"
 #include "src/accuracy/found/change.h"
+#include "src/accuracy/found/search.h"
 #include "src/app/open/write_copy.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"

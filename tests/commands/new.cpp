@@ -5,7 +5,7 @@
 #include <fstream>
 #include <set>
 
-#include "src/app/create/create.h"
+#include "src/app/open/templates.h"
 #include "src/app/picture/non_finite.h"
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"

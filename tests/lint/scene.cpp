@@ -234,8 +234,8 @@ TEST(LintSilence, OurScenesAreRight) {
     std::size_t count = 0;
     for (const std::string folder : {"scenes", "tests/cases"})
         for (const std::string& path : scenes_under(folder)) {
-            if (path.find("/files/") != std::string::npos) continue;       // parts of scenes
-            if (path.find("/end-to-end/") != std::string::npos) continue;  // computes as others printed it
+            if (path.find("/files/", sizeof SNELL_ROOT) != path.npos) continue;       // parts of scenes
+            if (path.find("/end-to-end/", sizeof SNELL_ROOT) != path.npos) continue;  // computes as others printed it
             ++count;
             EXPECT_TRUE(lint_file(path).found.empty()) << lint_file(path).text();
         }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "src/plan/identity.h"
 #include "src/plan/plan.h"
 #include "src/plan/texts.h"
 #include "tests/plan/uniforms.h"

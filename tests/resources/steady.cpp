@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "src/app/window/measure/texture_view.h"
+#include "src/app/window/measure/inspector_view.h"
 #include "src/gl/present.h"
 #include "src/ui/kit/gui.h"
 #include "src/ui/shell.h"

@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "src/app/desktop/settings.h"
-#include "src/app/open/snapshots.h"
+#include "src/app/open/states.h"
 #include "src/app/open/write_copy.h"
-#include "src/app/window/survive/keeper.h"
+#include "src/app/window/survive/recovery.h"
 #include "src/content/image/image.h"
 #include "src/content/replace.h"
 #include "src/document/document.h"

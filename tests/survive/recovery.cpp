@@ -5,8 +5,7 @@
 #include <chrono>
 
 #include "src/app/window/session.h"
-#include "src/app/window/survive/keeper.h"
-#include "src/app/window/survive/restart.h"
+#include "src/app/window/survive/recovery.h"
 #include "src/plan/setup.h"
 #include "tests/harness/harness.h"
 

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
-#include "src/glsl/read/preprocess.h"
 #include "tests/scratch.h"
 #include "tests/translator/translate_help.h"
 

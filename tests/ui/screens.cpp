@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "src/ui/status.h"
+#include "src/ui/shell.h"
 #include "tests/ui/full_panels.h"
 
 namespace snell::ui {

@@ -5,8 +5,8 @@
 
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
-#include "src/ui/help.h"
 #include "src/ui/kit/kit.h"
+#include "src/ui/shell.h"
 #include "tests/scratch.h"
 #include "tests/ui/screen.h"
 

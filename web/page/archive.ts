@@ -7,7 +7,7 @@ export interface Unpacked {
     originals: Map<string, Uint8Array>;
 }
 
-// As in src/app/page/scene_files.h.
+// As in src/app/page/page.h.
 export const mostFiles = 10_000;
 export const mostBytes = 512 * 1024 * 1024;
 const mostHeaderBytes = 8 * 1024 * 1024;
@@ -89,7 +89,7 @@ function entryOf(value: unknown): Entry {
     return { name, size, decoded: decoded === true, rows: rows as Entry['rows'] };
 }
 
-// Adds to each byte what its neighbours foretell, as in PNG (src/app/page/scene_files.cpp).
+// Adds to each byte what its neighbours foretell, as in PNG (src/app/page/page.cpp).
 function foretell(bytes: Uint8Array, [begin, pixel, row]: [number, number, number]): void {
     for (let i = begin; i < bytes.length; ++i) {
         const left = i < begin + pixel ? 0 : bytes[i - pixel]!;

@@ -79,7 +79,7 @@ struct Change {
     std::string before, after;  // one line each, shortened
     std::vector<Edit> edits;    // by file and place; none overlaps another
     std::string lint = {};      // the code of the lint that knows the mistake; empty: none
-    // Not empty: the edit lacks a number, which fill_averages (average.h) finds by drawing the scene with these edits.
+    // Not empty: the edit lacks a number, which fill_averages (search.h) finds by drawing the scene with these edits.
     // Each draws two components of the expression and probe_mark.
     std::vector<std::vector<Edit>> probes = {};
     std::string refused = {};  // why these could not be drawn; empty: they were, or were not tried

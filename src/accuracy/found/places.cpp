@@ -1,4 +1,4 @@
-#include "src/accuracy/found/places.h"
+#include "src/accuracy/found/search.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Finds rungs: tries every change of a scene at several places, then combinations of those that save time, and times
-// what is worth it. Needs a current context.
+// what is worth it. Needs a current context, but for places.
 #pragma once
 
 #include <array>
@@ -11,11 +11,39 @@
 #include <string>
 #include <vector>
 
+#include "src/accuracy/bench.h"
 #include "src/accuracy/found/change.h"
-#include "src/accuracy/found/places.h"
 #include "src/accuracy/measure.h"
+#include "src/plan/values/controls.h"
 
 namespace snell::accuracy {
+
+// Where changes are tried: views, times and values of sliders, from a seed.
+
+struct PlaceOptions {
+    std::size_t searched = 4, held_out = 4;  // how many; the scene's own is the first of those that are searched
+    std::uint64_t seed = 1;
+};
+
+// Returns places: the scene's own first, then those that are searched, then those that are held out. Each but the first
+// turns the view by up to 30° and scales it by .7 to 1.4, and, if `animated`, has another time. Every slider, check box
+// and colour of `controls` has other values there, within its range:
+//   - Sliders of whole numbers have all values in turn, if there are at most as many as places; otherwise as below.
+//   - Check boxes have the other value in every second place, of those that are searched and of those held out.
+//   - Others have both ends of the range at one place each and a value in each of equal parts of it at the rest, except
+//     for half of the places, where they keep the scene's own value. Each component of a vector has an order of its
+//     own.
+// What `own` assigns keeps its value. The same arguments give the same places on every machine.
+std::vector<Place> make_places(const Controls& controls, const Scene& scene, bool animated, const Place& own,
+                               const PlaceOptions& options);
+
+// The uniforms that any of the places assigns and `own` does not, as "Program.uniform".
+std::vector<std::string> varying(std::span<const Place> places, const Place& own);
+
+// The place as options of `snell render`, such as "--view rotate_x=12,scale=1.1" and "--set Glass.uEta=1.31".
+std::vector<std::string> place_options(const Place& place, const Place& own);
+// The same in one line; "the scene's own" for the first.
+std::string place_text(const Place& place, const Place& own);
 
 // How much a changed picture differs from that of the scene as it is, at the same place.
 struct Difference {
@@ -227,5 +255,15 @@ private:
 std::vector<std::size_t> in_layers(const FoundResult& found, std::vector<std::size_t> rungs, std::size_t most);
 // At most so many of these, evenly spaced.
 std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std::size_t most);
+
+// The numbers that changes of the kind expression-mean lack until they are drawn.
+
+// Draws the expressions of these changes as colours, at the places of the scene that are searched on, and writes their
+// means into the changes: those over all pixels in which the expression is computed and shows. View, time and values
+// are the scene's own, and the size is fixed, so that whoever applies a change gets the number that was measured.
+// Changes that need no number stay as they are, and so do those whose expression shows nowhere, or if `stop` says so:
+// choose_changes refuses them.
+void fill_averages(const Original& original, std::span<Change*> changes, const gl::Caps& caps, const Stop& stop = {});
+void fill_averages(const Original& original, std::vector<Change>& changes, const gl::Caps& caps, const Stop& stop = {});
 
 }  // namespace snell::accuracy

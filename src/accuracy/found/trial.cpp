@@ -7,7 +7,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/change.h"
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "src/document/document.h"
 #include "src/gl/debug.h"
 #include "src/gl/present.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "src/accuracy/found/search.h"
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "src/runtime/resources/counters.h"
 
 namespace snell::accuracy {

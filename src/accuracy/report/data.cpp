@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/text_forms.h"
 

@@ -1,4 +1,4 @@
-#include "src/accuracy/report/found.h"
+#include "src/accuracy/report/report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/report/report.h"
 #include "src/content/table.h"
 #include "src/plan/setup.h"
 

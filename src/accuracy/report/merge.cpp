@@ -1,4 +1,4 @@
-#include "src/accuracy/report/merge.h"
+#include "src/accuracy/report/report.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/report/report.h"
 #include "src/content/text_forms.h"
 
 namespace snell::accuracy {

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "src/accuracy/advice.h"
 #include "src/accuracy/costs.h"
@@ -129,5 +132,45 @@ inline nlohmann::ordered_json error_json(const Error& error) {
             {"pixels", error.pixels},
             {"nonfinite", error.nonfinite}};
 }
+
+// What reports say of rungs that were found.
+
+// Of a combination: of each of its changes, separated by blanks.
+std::string place_of(const FoundResult& found, const FoundRung& rung);
+// Such as "i < 8 → i < 4".
+std::string change_of(const FoundResult& found, const FoundRung& rung);
+// Such as "fewer-rounds", or "combination".
+std::string kind_of(const FoundResult& found, const FoundRung& rung);
+// Its relation to the front, or why it has none, such as "only in the frame that was tried".
+std::string standing_of(const FoundResult& found, const FoundRung& rung);
+// What was tried, where and how, in sentences.
+std::string found_words(const FoundResult& found);
+
+// All rungs of that aim as rungs of a sweep, those that were not timed included.
+SweepResult as_sweep(const FoundResult& found, Aim aim);
+
+// The same of the rungs of a sweep, whose own scene is never one.
+bool plainly_visible(const SweepResult& sweep, std::size_t rung);
+
+// Tables for a terminal: what changes no pixel, what is cheaper, what would be better.
+std::string found_text(const FoundResult& found);
+// `plot`: the name of the plot's file; may be empty.
+std::string found_markdown(const FoundResult& found, const std::string& plot);
+std::string found_html(const FoundResult& found);
+nlohmann::ordered_json found_json(const FoundResult& found);
+
+// Reports of several machines side by side: which conclusions hold on all of them.
+
+struct NamedReport {
+    std::string name;  // of its file
+    std::string json;  // as json_text() wrote it
+};
+
+// For each ladder that at least two reports have, a table of the rungs' costs on each machine. Scenes are matched by
+// their files' names, or by their paths if one report has several scenes of that name. Marks each rung whose standing
+// or saving differs between machines whose measurements are trusted; those of pictures of different sizes are only
+// listed. The text is printable. Returns nullopt and sets `error` if a report cannot be read, or no ladder is in two of
+// them.
+std::optional<std::string> merged_text(std::span<const NamedReport> reports, std::string& error);
 
 }  // namespace snell::accuracy

@@ -8,7 +8,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 
 namespace snell::accuracy {

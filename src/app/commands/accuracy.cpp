@@ -13,12 +13,9 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/report/found.h"
-#include "src/accuracy/report/merge.h"
 #include "src/accuracy/report/report.h"
 #include "src/accuracy/report/slide/slide.h"
 #include "src/app/commands/advice.h"
-#include "src/app/commands/found_rungs.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/complain.h"

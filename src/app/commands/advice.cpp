@@ -12,7 +12,6 @@
 #include "parser/text/words.h"
 #include "src/accuracy/advice.h"
 #include "src/accuracy/report/quality.h"
-#include "src/app/commands/found_rungs.h"
 #include "src/app/commands/options.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"

@@ -1,4 +1,5 @@
-// The part of `snell accuracy` that recommends a combination of rungs: --within, --error, --save-quality.
+// The options of `snell accuracy`, and the parts of it that recommend a combination of rungs (--within, --error,
+// --save-quality), or list and write found rungs without measuring (--list-found, --apply).
 #pragma once
 
 #include <optional>
@@ -6,6 +7,7 @@
 
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/report/report.h"
+#include "src/app/open/complain.h"
 #include "src/plan/files.h"
 
 namespace CLI {
@@ -38,7 +40,9 @@ struct AccuracyOptions {
     double timeout = 120;  // in seconds for reading a scene, or for the few frames of one step
 };
 
-// Adds the options that ask for a combination. They exclude `untimed`.
+// Recommends a combination of rungs.
+
+// Adds the options that ask for one. They exclude `untimed`.
 void add_advice(CLI::App& command, AccuracyOptions& options, CLI::Option& untimed);
 
 // True if the options ask for a combination, rather than for the value of each rung.
@@ -54,5 +58,21 @@ std::optional<double> parse_milliseconds(const std::string& text);
 bool give_advice(const AccuracyOptions& options, const std::string& path, accuracy::Bench& bench, const Rungs& now,
                  const accuracy::MeasureOptions& measuring, const accuracy::FoundResult* found,
                  accuracy::Report& report);
+
+}  // namespace snell::app
+
+namespace CLI {
+class App;
+}
+
+namespace snell::app {
+
+void add_found_rungs(CLI::App& command, AccuracyOptions& options);
+
+// True if the options ask for a list or for texts, and for no measurement.
+bool only_texts(const AccuracyOptions& options);
+
+// Does so. `command` has the options as they were given.
+Exit write_found_rungs(const AccuracyOptions& options, const CLI::App& command);
 
 }  // namespace snell::app

@@ -21,7 +21,7 @@
 #include "src/app/open/states.h"
 #include "src/app/picture/outputs.h"
 #include "src/app/picture/picture.h"
-#include "src/content/regular_file.h"
+#include "src/content/files.h"
 #include "src/content/text_forms.h"
 #include "src/gl/caps.h"
 #include "src/plan/locate.h"

@@ -1,4 +1,4 @@
-#include "src/app/commands/found_rungs.h"
+#include "src/app/commands/advice.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/found/average.h"
 #include "src/accuracy/found/change.h"
+#include "src/accuracy/found/search.h"
 #include "src/app/commands/options.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"

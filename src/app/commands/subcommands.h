@@ -17,6 +17,7 @@ namespace snell::app {
 using Run = std::function<int()>;  // returns the exit status
 
 Run add_window(CLI::App& command);  // without a subcommand
+Run add_new(CLI::App& command);
 Run add_render(CLI::App& command);
 Run add_sweep(CLI::App& command);
 Run add_check(CLI::App& command);

@@ -1,5 +1,4 @@
-#include "src/app/create/create.h"
-
+// `snell new`: new folders with a scene to start from, of the kinds of src/app/open/templates.h.
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -10,8 +9,10 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/app/commands/subcommands.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/complain.h"
+#include "src/app/open/templates.h"
 
 namespace snell::app {
 

@@ -1,5 +1,5 @@
-// The program as CLI11 sees it: the table of subcommands. The program runs it; tools/manual writes manual pages and
-// completions from it.
+// The program as CLI11 sees it: the table of subcommands, and what reads the command line by it. tools/manual writes
+// manual pages and completions from it.
 #pragma once
 
 #include <optional>
@@ -48,5 +48,8 @@ std::optional<Misspelt> misspelt_option(CLI::App& program, std::string_view firs
 // Adds the options of the window and the subcommands; if `first`, the first word of a command line, names one, only of
 // that one. `request` must live as long as `program`.
 void describe(CLI::App& program, Request& request, std::string_view first = {});
+
+// Reads the command line, and runs what it asks for. Tests call it in copies of their process. Returns the exit status.
+int run(int argc, const char* const* argv);
 
 }  // namespace snell::app

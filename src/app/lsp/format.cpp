@@ -13,7 +13,7 @@
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/write_copy.h"
-#include "src/content/regular_file.h"
+#include "src/content/files.h"
 #include "src/plan/locate.h"
 
 namespace snell::app {

@@ -7,17 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "parser/text/source.h"
 #include "parser/text/words.h"
 #include "src/content/replace.h"
 
 namespace snell::app {
 
 // The exit status of every command.
-
 enum Exit { exit_fine = 0, exit_input = 1, exit_usage = 2, exit_graphics = 3, exit_timeout = 4, exit_lost = 5 };
-
-// Errors of commands, on standard error.
 
 // Prints the error, and what to do about it on a line of its own, with hidden characters escaped. Without `help`, that
 // may follow in `what`, after "\n   help: ". Returns false.
@@ -47,14 +43,3 @@ inline bool write_output(const std::string& file, std::string_view bytes) {
 }
 
 }  // namespace snell::app
-
-namespace snell {
-
-// Formats statements of a scene for messages.
-
-// The statement's text in one line, cut if it is long.
-std::string statement_text(const Span& span, const Sources& sources);
-// The statement's place, such as "scene.glib:12".
-std::string statement_place(const Span& span, const Sources& sources);
-
-}  // namespace snell

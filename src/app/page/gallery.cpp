@@ -22,7 +22,7 @@
 #include "src/app/picture/sheet.h"
 #include "src/content/files.h"
 #include "src/content/html_page.h"
-#include "src/content/image/open_module.h"
+#include "src/content/image/module.h"
 #include "src/content/process.h"
 #include "src/content/replace.h"
 #include "src/content/table.h"

@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "src/app/desktop/settings.h"
-#include "src/app/open/complain.h"
+#include "src/plan/locate.h"
 #include "src/plan/view.h"
 #include "src/ui/shell.h"
-#include "src/ui/status.h"
 
 namespace snell {
 

@@ -12,9 +12,8 @@
 #include "src/app/window/measure/accuracy_view.h"
 #include "src/app/window/measure/found_view.h"
 #include "src/app/window/measure/frame_costs.h"
-#include "src/app/window/measure/pixel_view.h"
+#include "src/app/window/measure/inspector_view.h"
 #include "src/app/window/measure/states_view.h"
-#include "src/app/window/measure/texture_view.h"
 #include "src/app/window/session.h"
 #include "src/ui/panels/state.h"
 

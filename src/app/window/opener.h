@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/app/desktop/editor.h"
-#include "src/app/desktop/scene_pictures.h"
+#include "src/app/desktop/folder.h"
 #include "src/app/desktop/settings.h"
 #include "src/gl/texture.h"
 #include "src/ui/panels/state.h"

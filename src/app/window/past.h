@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "src/app/desktop/kept_scenes.h"
+#include "src/app/desktop/settings.h"
 #include "src/app/window/session.h"
 #include "src/document/history.h"
 #include "src/platform/window.h"

@@ -11,7 +11,7 @@
 
 #include "src/app/desktop/watch.h"
 #include "src/app/open/states.h"
-#include "src/app/window/survive/keeper.h"
+#include "src/app/window/survive/recovery.h"
 #include "src/document/document.h"
 #include "src/plan/setup.h"
 #include "src/ui/panels/state.h"

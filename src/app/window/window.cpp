@@ -23,10 +23,10 @@
 #include "src/app/window/display.h"
 #include "src/app/window/interface.h"
 #include "src/app/window/measuring.h"
-#include "src/app/window/survive/restart.h"
+#include "src/app/window/survive/recovery.h"
 #include "src/app/window/window_state.h"
 #include "src/app/window/workspace.h"
-#include "src/content/regular_file.h"
+#include "src/content/files.h"
 #include "src/ui/kit/input.h"
 
 namespace snell {

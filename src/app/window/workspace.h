@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "src/app/desktop/page_maker.h"
 #include "src/app/window/opener.h"
 #include "src/app/window/past.h"
-#include "src/app/window/picture_saver.h"
+#include "src/app/window/saver.h"
 #include "src/app/window/session.h"
-#include "src/app/window/survive/keeper.h"
+#include "src/app/window/survive/recovery.h"
 #include "src/app/window/window.h"
 
 namespace snell {

@@ -11,7 +11,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/content/image/formats.h"
-#include "src/content/image/open_module.h"
 #include "src/content/image/png_write.h"
 #include "src/content/load_module.h"
 #include "src/content/replace.h"

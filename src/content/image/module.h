@@ -30,4 +30,10 @@ SnellOiioShape module_shape(const Image& image);
 // TGA) or their size (BMP). Returns false for all other formats, such as TIFF: a cut can't be ruled out.
 bool is_whole(const std::string& path, std::string_view bytes, const ImageLimits& limits);
 
+// Opening the OpenImageIO module early.
+
+// Where a process starts copies of itself: opening the module takes a quarter of a second, which later copies save if
+// this process opens it, too, once one of them needed it. Called before each copy is started. Starts no thread.
+void open_image_module_as_copies_do();
+
 }  // namespace snell::content

@@ -4,8 +4,8 @@
 #include <charconv>
 
 #include "parser/text/ranges.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
-#include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl {

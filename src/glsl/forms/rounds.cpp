@@ -8,7 +8,7 @@
 #include <map>
 
 #include "parser/text/number.h"
-#include "src/glsl/read/loops.h"
+#include "src/glsl/read/tree.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {

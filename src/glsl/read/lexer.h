@@ -1,4 +1,5 @@
-// Characters to tokens of GLSL, one at a time; and the cleaning of what is no GLSL text.
+// Characters to tokens of GLSL, one at a time, with the cleaning of what is no GLSL text; and texts to the tokens that
+// count.
 #pragma once
 
 #include <string>
@@ -49,5 +50,18 @@ struct IncludeName {
 };
 // Those in comments and in branches that are never compiled count, too. Lines that are no directives do no harm.
 std::vector<IncludeName> included_names(std::string_view text);
+
+// Directives, macros and includes: from source texts to the tokens that count.
+
+// Fills tokens, files, head, version and extensions of a unit whose stage is set. The text stays as written
+// wherever possible: directives and dead groups become the lead of the token after them, a macro's use keeps
+// its spelling beside its expansion. Where that can't be (a condition on __VERSION__ or GL_…, whose value the
+// driver would judge otherwise; a macro that redefines a word of the language), `verbatim` is false, and
+// directives and dead groups turn into empty lines, and macros into their expansion; so also where the caller has set
+// `verbatim` to false.
+void preprocess(Unit& unit, FileId file, Sources& sources, const Options& options, Diagnostics& diagnostics);
+
+// What marks the place of extension directive n in a lead.
+inline constexpr char extension_mark = '\x01';
 
 }  // namespace snell::glsl

@@ -1,4 +1,4 @@
-#include "src/glsl/read/loops.h"
+#include "src/glsl/read/tree.h"
 
 #include <cmath>
 

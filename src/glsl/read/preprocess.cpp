@@ -1,4 +1,4 @@
-#include "src/glsl/read/preprocess.h"
+#include "src/glsl/read/lexer.h"
 
 #include <algorithm>
 #include <charconv>

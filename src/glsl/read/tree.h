@@ -1,7 +1,9 @@
 // What the light parse found, as a tree: expressions and the statements that hold them, with their tokens and types.
-// The parser writes it only if Unit::tree is set.
+// The parser writes it only if Unit::tree is set. Besides, what loops do with the variables that they count by.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -67,5 +69,26 @@ inline std::vector<int> parts(const Tree& tree, int node) {
     for (int k = node - 1; k >= begin; k = tree[static_cast<std::size_t>(k)].begin - 1) found.push_back(k);
     return {found.rbegin(), found.rend()};
 }
+
+// What loops do with the variables that they count by. Nodes are indices into Unit::tree.
+
+// `x op= by`; op: one of + - * / =.
+struct Update {
+    char op;
+    double by;
+};
+// What i++, i -= 2, x *= .5, i = 0 and their like do with the variable; nullopt: another thing.
+std::optional<Update> update_of(const Unit& unit, int variable, int node);
+
+// What the variable has after it.
+double updated(double value, Update update, Base base);
+
+// The expression that a variable begins with, by what `for` begins with.
+std::optional<int> begin_of(const Unit& unit, int variable, int begins);
+
+// Calls `each` for every variable that nodes first … last may store something in.
+void each_stored(const Unit& unit, int first, int last, const std::function<void(int variable)>& each);
+
+bool compares(std::string_view op);
 
 }  // namespace snell::glsl

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "src/glsl/read/lexer.h"
-#include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 

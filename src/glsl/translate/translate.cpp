@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
-#include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 

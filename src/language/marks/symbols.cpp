@@ -9,7 +9,7 @@
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/language/names/texts.h"
+#include "src/language/names/links.h"
 #include "src/language/services.h"
 
 namespace snell::language {

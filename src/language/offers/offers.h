@@ -7,9 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "src/language/answers.h"
 #include "src/language/names/links.h"
-#include "src/language/names/texts.h"
+#include "src/language/services.h"
 
 namespace snell::language {
 

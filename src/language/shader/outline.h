@@ -100,7 +100,4 @@ struct Outline {
 
 Outline read_outline(FileId file, std::string_view text);
 
-// For read_outline(): tokens, comments and directives; roles only of words of the language and of directives.
-void read_shader_tokens(Outline& outline);
-
 }  // namespace snell::language

@@ -1,4 +1,4 @@
-// OpenGL by libepoxy, for src/gl/api.h.
+// OpenGL by libepoxy, for src/gl/driver.h.
 #pragma once
 
 #include <epoxy/gl.h>

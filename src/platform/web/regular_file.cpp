@@ -4,8 +4,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "src/content/files.h"
 #include "src/content/mesh/mesh.h"
-#include "src/content/regular_file.h"
 #include "src/content/workers.h"
 
 namespace snell::content {

@@ -16,7 +16,6 @@
 #include "src/content/cube/convolve.h"
 #include "src/gl/caps.h"
 #include "src/gl/texture.h"
-#include "src/plan/identity.h"
 #include "src/plan/plan.h"
 #include "src/runtime/resources/counters.h"
 #include "src/runtime/resources/store.h"

@@ -1,5 +1,5 @@
 // Expressions that their mean over the picture replaces: the means are those of known functions.
-#include "src/accuracy/found/average.h"
+#include "src/accuracy/found/search.h"
 
 #include <gtest/gtest.h>
 

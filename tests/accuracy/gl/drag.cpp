@@ -2,7 +2,7 @@
 // of a drag, which leaves them, takes longer than its neighbours.
 #include <algorithm>
 
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "src/gl/present.h"
 #include "tests/harness/plain.h"
 

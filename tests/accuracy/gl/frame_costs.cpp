@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "src/accuracy/costs.h"
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "src/app/window/measure/frame_costs.h"
 #include "src/gl/present.h"
 #include "tests/harness/harness.h"

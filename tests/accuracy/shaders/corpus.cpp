@@ -5,7 +5,7 @@
 #include <random>
 #include <set>
 
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "tests/accuracy/shaders/help.h"
 #include "tests/sanitized.h"
 
@@ -15,7 +15,8 @@ namespace {
 std::vector<std::string> scenes_of(const std::string& folder) {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".glib" && entry.path().string().find("/files/") == std::string::npos)
+        if (entry.path().extension() == ".glib" &&
+            entry.path().string().find("/files/", folder.size()) == std::string::npos)
             found.push_back(entry.path().string());
     std::sort(found.begin(), found.end());
     return found;

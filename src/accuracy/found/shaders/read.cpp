@@ -10,7 +10,6 @@
 #include "src/accuracy/found/shaders/shader.h"
 #include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
-#include "src/glsl/read/preprocess.h"
 #include "src/glsl/read/words.h"
 #include "src/plan/texts.h"
 

@@ -11,8 +11,8 @@
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/change.h"
-#include "src/plan/identity.h"
 #include "src/plan/locate.h"
+#include "src/plan/plan.h"
 #include "src/plan/texts.h"
 
 namespace snell::accuracy::texts {

@@ -11,7 +11,7 @@
 #include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
 #include "src/accuracy/found/search.h"
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
 #include "src/app/open/complain.h"

@@ -17,7 +17,7 @@
 namespace snell::app {
 
 // What can be left out of the scene's texts without changing a pixel at any of some places
-// (src/accuracy/found/places.h), of which some were not searched on.
+// (src/accuracy/found/search.h), of which some were not searched on.
 struct WithoutEffect {
     struct Row {
         std::string rung;                // its number, for `snell accuracy --apply`

@@ -11,7 +11,6 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/grade/rubric/table.h"
-#include "src/app/grade/rubric/toml.h"
 #include "src/content/files.h"
 #include "src/gl/program.h"
 #include "src/lint/lint.h"

@@ -1,4 +1,4 @@
-// The keys of one table of a rubric, each asked for by its name and kind.
+// TOML as a tree whose parts know their places, and the keys of one table of it, each asked for by its name and kind.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,30 @@
 #include <vector>
 
 #include "parser/text/diagnostic.h"
-#include "src/app/grade/rubric/toml.h"
+#include "parser/text/source.h"
 
 namespace snell::app {
+
+struct TomlValue {
+    enum class Kind { text, number, truth, list, table, other };
+    struct Member;
+
+    Kind kind = Kind::other;
+    std::string text;
+    double number = 0;
+    bool truth = false;
+    std::vector<TomlValue> list;
+    std::vector<Member> members;  // of a table, in the order of the text
+    Span span;
+};
+struct TomlValue::Member {
+    std::string name;
+    Span span;  // of the name
+    TomlValue value;
+};
+
+// Returns nullopt and reports an error at its place if the text is not TOML.
+std::optional<TomlValue> read_toml(FileId file, const Sources& sources, Diagnostics& diagnostics);
 
 // Which numbers a key takes.
 struct Allowed {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "src/app/grade/rubric/toml.h"
+#include "src/app/grade/rubric/table.h"
 
 namespace snell::app {
 

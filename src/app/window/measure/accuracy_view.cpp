@@ -12,7 +12,7 @@
 #include "src/accuracy/costs.h"
 #include "src/accuracy/metrics.h"
 #include "src/accuracy/report/report.h"
-#include "src/accuracy/rounds.h"
+#include "src/accuracy/timing.h"
 #include "src/content/image/reduced.h"
 #include "src/runtime/resources/counters.h"
 

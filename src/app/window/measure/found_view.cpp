@@ -12,10 +12,8 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/found/average.h"
 #include "src/accuracy/found/change.h"
 #include "src/accuracy/found/search.h"
-#include "src/accuracy/report/found.h"
 #include "src/accuracy/report/report.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/write_copy.h"

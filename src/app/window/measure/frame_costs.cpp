@@ -6,10 +6,10 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
-#include "src/accuracy/rounds.h"
-#include "src/app/open/complain.h"
+#include "src/accuracy/timing.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
+#include "src/plan/locate.h"
 
 namespace snell {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/accuracy/frame_clock.h"
+#include "src/accuracy/timing.h"
 #include "src/app/window/measure/accuracy_view.h"
 #include "src/document/document.h"
 #include "src/gl/debug.h"

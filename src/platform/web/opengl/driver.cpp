@@ -6,7 +6,6 @@
 #include <emscripten/html5.h>
 #include <webgl/webgl2.h>
 
-#include "src/gl/api.h"
 #include "src/gl/debug.h"
 #include "src/gl/driver.h"
 

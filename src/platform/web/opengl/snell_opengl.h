@@ -1,5 +1,5 @@
-// OpenGL's header in a browser, for src/gl/api.h: OpenGL ES 3.0, which is WebGL 2, and the names of other versions that
-// the sources mention.
+// OpenGL's header in a browser, for src/gl/driver.h: OpenGL ES 3.0, which is WebGL 2, and the names of other versions
+// that the sources mention.
 #pragma once
 
 #include <GLES3/gl3.h>

@@ -1,10 +1,12 @@
-// Executes the requests to keep values: it saves them to the scene, stores and restores snapshots, and copies the
-// command that draws the picture.
+// What outlives a picture: values that the user keeps, and the state with which a window continues after the driver
+// reset its context, or restarts within its own process if a frame does not end or memory runs out.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,7 +15,8 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
 #include "src/app/open/command_text.h"
-#include "src/app/open/snapshots.h"
+#include "src/app/open/ending.h"
+#include "src/app/open/states.h"
 #include "src/document/document.h"
 #include "src/plan/plan.h"
 #include "src/plan/setup.h"
@@ -23,6 +26,8 @@
 
 namespace snell {
 
+// Executes the requests to keep values: it saves them to the scene, stores and restores snapshots, and copies the
+// command that draws the picture.
 class Keeper {
 public:
     explicit Keeper(std::string scene) : scene_(std::move(scene)) {}
@@ -84,5 +89,43 @@ Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> f
 // problem. "" reads as the initial state of a window without a scene.
 std::string carried_text(const Carried& carried);
 Carried read_carried(const std::string& text);
+
+// Restarts a window within its own process if a frame does not end or memory runs out. The user's changes are passed on
+// in an anonymous memory file, so nothing stays behind on disk.
+
+// There may be only one at a time. While it exists, operator new calls it when memory runs out.
+class Restart {
+public:
+    // `after` is the value of "--after" in a window that was restarted, otherwise "".
+    explicit Restart(std::string after);
+    ~Restart();
+    Restart(const Restart&) = delete;
+    Restart& operator=(const Restart&) = delete;
+
+    // The state that a restarted window begins with.
+    std::optional<Carried> carried() const;
+    // Stores the state for the next window, if there will be one. `worth_it`: also where memory runs out.
+    void keep(const Carried& carried, bool worth_it = true);
+    // Tells that the scene is about to be read again. If memory runs out before this call and before a state is kept,
+    // the program ends, because it would restart over and over. Files that are saved from now on count as another edit.
+    void trying();
+
+    // Watches frames: if one takes longer than that many seconds, the window is restarted, which also ends threads that
+    // do not return.
+    app::Deadline hang_watch(double seconds) const;
+
+private:
+    enum class Cause { hang, memory };
+    // Neither function allocates memory. They return if this system cannot restart.
+    void start(Cause cause) const;
+    static void out_of_memory();
+
+    std::string after_, program_;
+    std::vector<std::string> arguments_;  // the last one is the value of "--after"
+    std::vector<char*> after_hang_, after_memory_;
+    int memory_ = -1;  // descriptor of the memory file
+    std::atomic<bool> worth_it_ = false;
+    std::new_handler before_;
+};
 
 }  // namespace snell

@@ -1,4 +1,4 @@
-// Saves pictures of the window's scene part by part, while the window stays responsive.
+// Saves pictures and pages of the window's scene, while the window stays responsive.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,14 @@
 
 #include "src/app/open/command_text.h"
 #include "src/app/picture/picture.h"
+#include "src/content/process.h"
 #include "src/document/document.h"
 #include "src/platform/window.h"
 #include "src/ui/panels/state.h"
 
 namespace snell {
 
+// Draws the pictures part by part.
 class PictureSaver {
 public:
     // The GL context of `caps` must be current during the object's whole life.
@@ -54,6 +56,25 @@ private:
     std::unique_ptr<Work> work_;
     std::string filled_for_;  // the scene that the dialog's fields were filled for
     std::uint64_t revision_ = 0;
+};
+
+// Makes pages by `snell web` in a process of its own, because a browser's OpenGL needs another context than the window.
+
+// The name of a page's file: with .html at the end unless it ends with .html or .htm.
+std::string page_file(const std::string& name);
+
+class PageMaker {
+public:
+    bool busy() const { return process_.running(); }
+    // Starts it for page_file(page), with these arguments after those of the page. Returns "" or the error: a file is
+    // replaced only if it is named in full.
+    std::string start(const std::string& page, const std::vector<std::string>& arguments);
+    // Call it regularly while busy(). Returns what the status line says once the process has ended, otherwise "".
+    std::string look();
+
+private:
+    content::Process process_;  // ends with the object; a page that was there stays as it was
+    std::string page_;
 };
 
 }  // namespace snell
