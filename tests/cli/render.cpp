@@ -254,6 +254,8 @@ TEST_F(CommandLine, CheckSaysAllThatIsWrong) {
     EXPECT_EQ(json[1]["diagnostics"][0]["code"], "unknown-command");
     EXPECT_EQ(json[1]["diagnostics"][0]["at"]["line"], 2);
     EXPECT_EQ(json[2]["errors"], 1);
+    // A scene is no place for JSON, wherever it is.
+    EXPECT_EQ(snell("check --json /proc/self/cwd/good.glib", "", folder.path()).status, 0);
 }
 
 TEST_F(CommandLine, CheckListsEveryPlaceOfOneMistake) {

@@ -1,5 +1,6 @@
 #include "tests/cli/run.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <fcntl.h>
@@ -92,6 +93,8 @@ double seconds_of_children() {
 // What Mesa's software driver makes once for all, its functions of GLSL among it, lives as long as one context. This
 // one is of another display than those of the program, whose threads copies would lack. Other drivers bear no copies.
 void load_driver() {
+    // If it is not loaded, libepoxy looks for it on the disk at each function that a copy calls for the first time.
+    dlopen("libGL.so.1", RTLD_LAZY | RTLD_LOCAL);
     std::array<EGLDeviceEXT, 16> devices{};
     EGLint count = 0;
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_query") ||

@@ -144,9 +144,9 @@ bool json_is_file(std::string_view subcommand) {
 }
 
 bool names_json(std::string_view word, std::string_view subcommand) {
-    if (word.empty()) return false;
+    if (word.empty() || word.ends_with(".glib")) return false;
     if (word == "-" || word.ends_with(".json") || word.starts_with("/dev/") || word.starts_with("/proc/")) return true;
-    return json_is_file(subcommand) && !word.starts_with('-') && !word.ends_with(".glib");
+    return json_is_file(subcommand) && !word.starts_with('-');
 }
 
 bool names_output(std::string_view option) {
