@@ -463,8 +463,10 @@ TEST_F(Grade, ARunThatIsKilledKeepsNothingUnfinishedAndTwoDoNotWriteIntoOneFolde
     const Outcome killed =
         run(start + ">first 2>&1 & }; " + drawing + "kill -KILL $!; wait $! 2>first; cat out/students/ann/result.json");
     EXPECT_TRUE(killed.says("judging ended before")) << "it was too late to kill it";
+    // The other one waits a second for the folder: the first may not end in it.
     const Outcome two = run(start + ">first 2>&1 & }; " + drawing +
-                            SNELL_BIN "/snell grade r.toml s -o out 2>&1; echo status $?; wait; cat first");
+                            "kill -STOP $!; " SNELL_BIN
+                            "/snell grade r.toml s -o out 2>&1; echo status $?; kill -CONT $!; wait; cat first");
     EXPECT_TRUE(two.says("error: another run of 'snell grade' writes into 'out'")) << two.output;
     EXPECT_TRUE(two.says("status 1")) << two.output;
     EXPECT_TRUE(two.says("1 submission, 0 of them judged before")) << two.output;
