@@ -66,13 +66,14 @@ std::string Drawing::start(const std::string& canvas) {
     return "";
 }
 
-void Drawing::draw(OpenScene& scene, const Moment& moment, bool dragged) {
+void Drawing::draw(OpenScene& scene, const Moment& moment, bool dragged, bool small) {
     const Document& document = *scene.document();
     if (std::exchange(drawn_, &document) != &document || rungs_ != document.controls.rungs) coarseness_ = {};
     rungs_ = document.controls.rungs;
     const Grain& grain = grains[static_cast<std::size_t>(coarseness_.next(dragged, dragged, now()))];
     const Moment part = in_grain(moment, grain);
-    if (!canvas_.resize(part.width, part.height, grain.samples, document.runtime->display_pixels())) return;
+    const int samples = small ? 1 : grain.samples;
+    if (!canvas_.resize(part.width, part.height, samples, document.runtime->display_pixels())) return;
     context_->resize(moment.width, moment.height);
     draw_both(scene, caps_, part, grain.divide, {canvas_.framebuffer(), part.width, part.height});
     canvas_.resolve();
@@ -87,7 +88,7 @@ double Drawing::drew(double milliseconds) {
 bool Drawing::settle(OpenScene& scene, const Moment& moment) {
     Runtime& runtime = *scene.document()->runtime;
     if (!runtime.settled()) {  // faces of a cube map are behind
-        draw(scene, moment, false);
+        draw(scene, moment, false, false);
         return true;
     }
     if (canvas_.framebuffer() == 0) return false;
@@ -98,30 +99,34 @@ bool Drawing::settle(OpenScene& scene, const Moment& moment) {
 }
 
 double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
-    constexpr int largest = 64, least = 4;  // divisors of width and height
-    constexpr double tells = 300,
-                     ends = 2000;  // milliseconds of a small picture: it may be believed; it is the last one
-    double first = 0, first_share = 0, whole = 0;
-    for (int divisor = largest; divisor >= least; divisor /= 2) {
+    constexpr int largest = 64, least = 4;           // divisors of width and height
+    constexpr double tells = 300, ends = 2000;       // milliseconds of a small picture: it is believed; it is the last
+    constexpr double compiled = .7, growing = 1.25;  // times the milliseconds of a single pixel
+    constexpr int tell_apart = 64;                   // pixels that take longer than one, if the work is theirs
+    const auto timed = [&](int width, int height) {
         Moment small = moment;
-        small.width = std::max(moment.width / divisor, 1);
-        small.height = std::max(moment.height / divisor, 1);
-        const double share = static_cast<double>(small.width) * small.height / moment.width / moment.height;
-        double milliseconds = 0;
-        for (int n = 0; n < 2; ++n) {  // the first one waits for the compiler, too
-            std::string error;
-            const double began = now();
-            picture(scene, small, 1, error);
-            milliseconds = (now() - began) * 1e3;
-            if (milliseconds > ends || milliseconds <= enough * share) break;
-        }
-        // What does not grow with the size, as the work for vertices does, takes no longer in the whole one.
-        if (divisor == largest) first = milliseconds, first_share = share;
-        const bool grows = divisor == largest || milliseconds > 1.5 * first;
-        const double each = divisor == largest ? milliseconds / share : (milliseconds - first) / (share - first_share);
-        whole = milliseconds + std::max(each, 0.) * (1 - share);
-        const bool believed = divisor < largest && grows && milliseconds > tells;
-        if (whole <= enough || believed || milliseconds > ends) break;
+        small.width = std::max(width, 1);
+        small.height = std::max(height, 1);
+        std::string error;
+        const double began = now();
+        picture(scene, small, 1, error);
+        return (now() - began) * 1e3;
+    };
+    // What does not grow with the size, as the work for vertices does, is all that a single pixel takes.
+    double point = timed(1, 1), whole = point;
+    for (int divisor = largest; divisor >= least; divisor /= 2) {
+        const int width = std::max(moment.width / divisor, 1), height = std::max(moment.height / divisor, 1);
+        if (width * height < tell_apart && divisor > least) continue;
+        double milliseconds = timed(width, height);
+        if (milliseconds < compiled * point) point = timed(1, 1);  // the first one had waited for the compiler
+        const auto grows = [&] { return milliseconds > growing * point; };
+        // Something else may have kept the machine busy.
+        if (grows() && milliseconds > tells && milliseconds < ends)
+            milliseconds = std::min(milliseconds, timed(width, height));
+        const double share = static_cast<double>(width) * height / moment.width / moment.height;
+        whole = milliseconds;
+        if (grows() || milliseconds < ends) whole += std::max(milliseconds - point, 0.) * (1 / share - 1);
+        if (whole <= enough || (grows() && milliseconds > tells) || milliseconds > ends) break;
     }
     return whole;
 }

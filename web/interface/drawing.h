@@ -32,14 +32,16 @@ public:
 
     // These must not be called unless ready().
     // `dragged`: the user's hand changed the picture since the last one. It may be coarser, then.
-    void draw(OpenScene& scene, const Moment& moment, bool dragged);
+    // `small`: the user keeps it small, because it takes long: with 1 sample per pixel, as foresee() takes.
+    void draw(OpenScene& scene, const Moment& moment, bool dragged, bool small);
     // Tells how long the graphics took for it. Returns in how many milliseconds a sharp picture is due if nothing
     // moves; infinity if it was sharp.
     double drew(double milliseconds);
     // Does one piece of work for which there is time when nothing changes. Returns false if nothing is left to do.
     bool settle(OpenScene& scene, const Moment& moment);
-    // About how many milliseconds a picture takes, found by small ones, each of which has four times as many pixels as
-    // the one before, until a whole one is seen to take no more than `enough`, or a small one takes long itself.
+    // About how many milliseconds a picture takes, found by one of a single pixel and small ones, each of which has
+    // four times as many pixels as the one before, until a whole one is seen to take no more than `enough`, or a small
+    // one takes long itself.
     double foresee(OpenScene& scene, const Moment& moment, double enough);
     // RGBA bytes, the top row first; empty, with an error, if the size is beyond the limits.
     std::vector<std::byte> picture(OpenScene& scene, const Moment& moment, int samples, std::string& error);

@@ -332,11 +332,11 @@ EMSCRIPTEN_KEEPALIVE void snell_zoom(Engine* engine, double factor) {
         apply({.scale = factor}, engine->scene.document()->scene(), 1, engine->scene.view, engine->hold);
 }
 
-// Returns "" or what the picture was found to cost, once. `dragged`: see Drawing.
+// Returns "" or what the picture was found to cost, once. `dragged`, `small`: see Drawing.
 EMSCRIPTEN_KEEPALIVE const char* snell_draw(Engine* engine, double time, int width, int height, double split,
-                                            double mouse_x, double mouse_y, int dragged) {
+                                            double mouse_x, double mouse_y, int dragged, int small) {
     if (!engine->draws()) return engine->say("");
-    engine->drawing.draw(engine->scene, {time, width, height, split, mouse_x, mouse_y}, dragged != 0);
+    engine->drawing.draw(engine->scene, {time, width, height, split, mouse_x, mouse_y}, dragged != 0, small != 0);
     Document& document = *engine->scene.document();
     const Diagnostics costs = document.runtime->take_costs();
     return costs.empty() ? engine->say("") : engine->tell(problems_json(costs, document.sources));

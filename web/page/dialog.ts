@@ -22,7 +22,8 @@ export interface Choice<T> {
     picture?: HTMLElement;
 }
 
-// Resolves with the choice, or undefined after Escape or Cancel.
+// Resolves with the choice, or undefined after Escape or Cancel. With a signal, which takes the question back, the page asks
+// by itself: a key that was meant for something else must not answer, so no answer has the focus.
 export function ask<T>(title: string, text: string, choices: readonly Choice<T>[], signal?: AbortSignal): Promise<T | undefined> {
     return new Promise((resolve) => {
         let chosen: T | undefined;
@@ -45,6 +46,7 @@ export function ask<T>(title: string, text: string, choices: readonly Choice<T>[
         });
         signal?.addEventListener('abort', () => choose(undefined));
         document.body.append(dialog);
-        dialog.showModal();
+        if (signal) showFromTop(dialog);
+        else dialog.showModal();
     });
 }

@@ -185,7 +185,7 @@ export interface Engine {
     zoom(factor: number): void;
 
     // What the picture was found to cost is told once. One that is `dragged` may be coarser than the frame.
-    draw(frame: Frame, dragged?: boolean): Problem[];
+    draw(frame: Frame, dragged?: boolean, small?: boolean): Problem[];
     // The graphics took so long for it. In how many milliseconds a sharp picture is due; infinity if it was sharp.
     drew(milliseconds: number): number;
     // Compiles one more program for the values as they are. False: nothing is left to do.

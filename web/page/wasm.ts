@@ -49,7 +49,7 @@ interface Program {
     _snell_turn(engine: Pointer, dx: number, dy: number, begins: number): void;
     _snell_move(engine: Pointer, dx: number, dy: number, width: number, height: number, toward: number): void;
     _snell_zoom(engine: Pointer, factor: number): void;
-    _snell_draw(engine: Pointer, ...moment: [...Moment, number]): Pointer;
+    _snell_draw(engine: Pointer, ...moment: [...Moment, number, number]): Pointer;
     _snell_drew(engine: Pointer, milliseconds: number): number;
     _snell_settle(engine: Pointer, ...moment: Moment): number;
     _snell_foresee(engine: Pointer, ...moment: [...Moment, number]): number;
@@ -230,8 +230,8 @@ export class WasmEngine implements Engine {
         this.program._snell_zoom(this.engine, factor);
     }
 
-    draw(frame: Frame, dragged = false): Problem[] {
-        const costs = this.program.UTF8ToString(this.program._snell_draw(this.engine, ...moment(frame), Number(dragged)));
+    draw(frame: Frame, dragged = false, small = false): Problem[] {
+        const costs = this.program.UTF8ToString(this.program._snell_draw(this.engine, ...moment(frame), Number(dragged), Number(small)));
         return costs ? (JSON.parse(costs) as Problem[]) : [];
     }
 

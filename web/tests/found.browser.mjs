@@ -136,6 +136,56 @@ test('a picture that was kept small is whole again with a value that makes it qu
     await page.close();
 });
 
+const looping = 'uniform float uA;\nvoid main() { float x = 0.; for (float i = 0.; i < uA; i++) x = fract(sin(x + i) * 43758.5); gl_FragColor = vec4(x, 1., 0., 1.); }\n';
+
+test('a slider that moves by itself into long loops is asked about, and a key meant for something else is no answer', async () => {
+    const { page } = await opened({ 'a.glib': scene('a.glib')['a.glib'].replace('<1. 2. 10.>', '<1. 2. 1000000.>'), 'p.vert': vertex, 'p.frag': looping });
+    await drawn(page);
+    await page.click('.options summary');
+    await page.waitForSelector('.options .items label');
+    await page.evaluate(() => [...document.querySelectorAll('.options label')].find(({ textContent }) => textContent === 'Animate').click());
+    await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
+    await page.keyboard.press('Enter');
+    assert.notEqual(await page.$('dialog[open]'), null);
+    await press(page, 'Cancel', 'dialog[open]');
+    await until(page, () => /^not drawn/.test(document.querySelector('.status span').textContent));
+    await page.close();
+});
+
+// Small triangles: a picture of few pixels has as many of them, and more where it has more samples.
+test('a picture that is kept small takes about half a second, and no longer', async () => {
+    const { page } = await opened({ 's.glib': scene('s.glib')['s.glib'].replace('<1. 2. 10.>', '<1. 1000000. 1000000.>').replace('20 20', '60 60'), 'p.vert': vertex, 'p.frag': looping });
+    await page.waitForSelector('dialog[open][aria-label="This scene takes long"]');
+    await press(page, 'Keep it small', 'dialog[open]');
+    await until(page, () => /coarser/.test(document.querySelector('.status span').textContent));
+    const milliseconds = await page.$eval('.status span', ({ textContent }) => Number(/(\d+) ms/.exec(textContent)[1]));
+    assert(milliseconds < 4000, `${milliseconds} ms`);
+    await page.close();
+});
+
+test('loops of a geometry shader are foreseen to take as long as they do', async () => {
+    const { page } = await opened({
+        'g.glib': 'Vertex p.vert\nGeometry p.geom\nFragment p.frag\nProgram P uA <1. 100000. 1000000.>\nSphere 1 20 20\n',
+        'p.vert': '#version 150 compatibility\nvoid main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }\n',
+        'p.geom': `#version 150 compatibility
+layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;
+uniform float uA;
+void main() {
+    float x = 0.;
+    for (float i = 0.; i < uA; i++) x = fract(sin(x + i) * 43758.5);
+    for (int k = 0; k < 3; ++k) { gl_Position = gl_in[k].gl_Position + vec4(x * 1e-9); EmitVertex(); }
+}
+`,
+        'p.frag': '#version 150 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n',
+    });
+    const said = await page.waitForFunction(() => {
+        const dialog = document.querySelector('dialog[open][aria-label="This scene takes long"]');
+        return dialog ? Number(/about (\d+) s/.exec(dialog.textContent)[1]) : /ms$/.test(document.querySelector('.status span').textContent) && 1;
+    });
+    assert(await said.jsonValue() < 60, 'seconds, not hours');
+    await page.close();
+});
+
 test('work for vertices is not taken for work that grows with the picture', async () => {
     const moving = 'uniform float uA;\nvoid main() { float x = uA; for (int i = 0; i < 4000; ++i) x = fract(sin(x) * 43758.5); gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex + vec4(x * 1e-9); }\n';
     const plain = 'uniform float uA;\nvoid main() { gl_FragColor = vec4(uA, 1., 0., 1.); }\n';

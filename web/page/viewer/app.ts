@@ -262,7 +262,7 @@ export class Page {
         if (drawing && !(await ask('The graphics are back', text, choices))) return;
         this.lost = false;
         const opened = this.session.engine.restored();
-        this.session.accept(opened);
+        this.session.accept({ ...opened, problems: opened.ok ? this.current : opened.problems });
         this.say(opened.ok ? 'The graphics are back.' : 'The graphics are back, but the scene cannot be drawn.', 'graphics');
         if (drawing) this.painter?.begin(true);
         else this.painter?.request();
@@ -276,7 +276,10 @@ export class Page {
             { text: 'Keep it small', value: false },
         ];
         const answer = await ask('This scene takes long', text, choices, signal);
-        if (answer === undefined && !signal.aborted) this.layout.status.textContent = `not drawn: it may take ${seconds}`;
+        if (signal.aborted) return answer;
+        this.layout.status.textContent = answer === undefined ? `not drawn: it may take ${seconds}` : answer ? 'drawing…' : '';
+        // The page shows it before it stands still.
+        if (answer) await new Promise((shown) => requestAnimationFrame(() => setTimeout(shown)));
         return answer;
     }
 

@@ -25,8 +25,7 @@ const preview = 4;
 // Milliseconds of such a picture after which the author is asked, and of a whole one that is foreseen.
 const tooLong = 2000;
 const longest = 5000;
-// Milliseconds between looks ahead while something moves, and of a picture that was to be small.
-const lookAhead = 250;
+// Milliseconds of a picture that is to be small.
 const short = 500;
 // Milliseconds after which a picture counts as finished, because a lost context never says so.
 const longestWait = 5000;
@@ -49,7 +48,6 @@ export class Painter {
     private question: AbortController | undefined;
     // Another value may make the picture take for ever: it is drawn very small before, and timed.
     private risky = false;
-    private lookedAhead = -Infinity;
     private foreseen = false; // as things are now
     // Milliseconds that the author wants to wait.
     private accepted = longest;
@@ -109,7 +107,6 @@ export class Painter {
     edited(risky: boolean): void {
         this.withdraw();
         this.risky = risky;
-        this.lookedAhead = -Infinity;
         this.accepted = longest;
         this.least = 1;
         this.request();
@@ -181,6 +178,8 @@ export class Painter {
         if (this.drawsFirst && this.divisor > this.least) {
             this.redo();
         } else {
+            // No more than was foreseen of it.
+            if (this.least > 1 && milliseconds > 2 * short) this.least *= 2;
             const due = this.with_.engine.drew(milliseconds);
             if (due < Infinity) this.sharp = setTimeout(() => this.redo(), due + 1);
             this.with_.drawn(milliseconds, this.divisor > 1 || due < Infinity);
@@ -219,13 +218,10 @@ export class Painter {
     }
 
     // Whether the picture is drawn now; the author may have been asked instead.
-    private looksAhead(moving: boolean): boolean {
-        if (!this.risky || this.foreseen || (moving && performance.now() - this.lookedAhead < lookAhead)) return true;
-        const begun = performance.now();
+    private looksAhead(): boolean {
+        if (!this.risky || (this.foreseen && !this.with_.clock.playing)) return true;
         const milliseconds = this.with_.engine.foresee(this.frame(), this.accepted);
-        // It takes at most a fifth of the time.
-        this.lookedAhead = performance.now() + 4 * (performance.now() - begun);
-        if (milliseconds <= this.accepted) this.least = 1;
+        if (milliseconds <= this.accepted && !this.with_.clock.playing) this.least = 1;
         this.foreseen = milliseconds / this.least ** 2 <= this.accepted;
         if (!this.foreseen) this.ask(milliseconds);
         return this.foreseen;
@@ -242,12 +238,12 @@ export class Painter {
         clearTimeout(this.sharp);
         const { dragged } = this;
         this.dirty = this.dragged = false;
-        if (!this.looksAhead(dragged || this.with_.clock.playing)) return;
+        if (!this.looksAhead()) return;
         this.divisor = Math.max(this.first, this.least);
         this.drawsFirst = this.first > 0;
         this.first = 0;
         this.began = performance.now();
-        const costs = this.with_.engine.draw(this.small(this.divisor), dragged);
+        const costs = this.with_.engine.draw(this.small(this.divisor), dragged, this.least > 1);
         if (costs.length > 0) this.with_.costs(costs);
         ++this.frames;
         const gl = this.with_.canvas.getContext('webgl2');
@@ -263,7 +259,7 @@ export class Painter {
         this.settling = setTimeout(() => {
             const { engine, ready } = this.with_;
             if (document.hidden || !ready()) return;
-            this.unsettled = engine.settle(this.frame());
+            this.unsettled = engine.settle(this.small(this.least));
             this.rest();
         }, settleAfter);
     }
