@@ -114,6 +114,7 @@ double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
     };
     // What does not grow with the size, as the work for vertices does, is all that a single pixel takes.
     double point = timed(1, 1), whole = point;
+    if (point > enough) return point;
     for (int divisor = largest; divisor >= least; divisor /= 2) {
         const int width = std::max(moment.width / divisor, 1), height = std::max(moment.height / divisor, 1);
         if (width * height < tell_apart && divisor > least) continue;
