@@ -152,6 +152,44 @@ test('a slider that moves by itself into long loops is asked about, and a key me
     await page.close();
 });
 
+test('a drag through long loops and back asks nothing, and is one step', async () => {
+    const { page } = await opened({ 'd.glib': scene('d.glib')['d.glib'].replace('<1. 2. 10.>', '<1. 2. 1000000.>'), 'p.vert': vertex, 'p.frag': looping });
+    await drawn(page);
+    const box = await (await page.$('.row.slider > input')).boundingBox();
+    const y = box.y + box.height / 2;
+    await page.mouse.move(box.x + 2, y);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width - 2, y, { steps: 5 });
+    await until(page, () => /^not drawn/.test(document.querySelector('.status span').textContent));
+    assert.equal(await page.$('dialog[open]'), null);
+    await page.mouse.move(box.x - 20, y, { steps: 5 });
+    await page.mouse.up();
+    await until(page, () => /ms$/.test(document.querySelector('.status span').textContent));
+    assert.equal(await page.$('dialog[open]'), null);
+    await page.evaluate(() => document.activeElement.blur());
+    await chord(page, 'KeyZ');
+    await until(page, () => Number(document.querySelector('.row.slider > .number').value) === 2);
+    await page.close();
+});
+
+test('a moving scene that is kept small is whole again with a value that makes it quick', async () => {
+    const moving = looping.replace('i < uA;', 'i < uA * (1. + Timer);').replace('uniform', 'uniform float Timer;\nuniform');
+    const { page } = await opened({ 't.glib': `Timer 4.\n${scene('t.glib')['t.glib'].replace('<1. 2. 10.>', '<1. 2. 1000000.>')}`, 'p.vert': vertex, 'p.frag': moving });
+    await until(page, () => /ms$/.test(document.querySelector('.status span').textContent));
+    const type = async (value) => {
+        await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
+        await page.keyboard.type(value);
+        await page.keyboard.press('Enter');
+    };
+    await type('400000');
+    await page.waitForSelector('dialog[open]');
+    await press(page, 'Keep it small', 'dialog[open]');
+    await until(page, () => /coarser/.test(document.querySelector('.status span').textContent));
+    await type('3');
+    await until(page, () => /ms$/.test(document.querySelector('.status span').textContent));
+    await page.close();
+});
+
 // Small triangles: a picture of few pixels has as many of them, and more where it has more samples.
 test('a picture that is kept small takes about half a second, and no longer', async () => {
     const { page } = await opened({ 's.glib': scene('s.glib')['s.glib'].replace('<1. 2. 10.>', '<1. 1000000. 1000000.>').replace('20 20', '60 60'), 'p.vert': vertex, 'p.frag': looping });

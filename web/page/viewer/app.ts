@@ -88,6 +88,8 @@ export class Page {
     private host: EditorHost | undefined;
     private current: Problem[] = [];
     private lost = false;
+    // A button of the mouse, or a finger, is down.
+    private pressed = false;
     private dead = false;
     // The folder that is opened next was open before a reload: the address has its values.
     private returns = false;
@@ -243,6 +245,7 @@ export class Page {
                 return this.host?.folder !== undefined;
             },
         });
+        for (const type of ['pointerdown', 'pointerup', 'pointercancel']) addEventListener(type, () => void (this.pressed = type === 'pointerdown'), true);
         let drawing = false;
         this.canvas.addEventListener('webglcontextlost', (event) => {
             event.preventDefault();
@@ -270,6 +273,10 @@ export class Page {
 
     private async goesOn(milliseconds: number, signal: AbortSignal): Promise<boolean | undefined> {
         const seconds = `${Math.max(Math.round(milliseconds / 1000), 1)} s`;
+        // A dialog would end a drag: it waits until that has ended, and may be in vain then.
+        this.layout.status.textContent = `not drawn: it may take ${seconds}`;
+        while (this.pressed && !signal.aborted) await new Promise((later) => setTimeout(later, 50));
+        if (signal.aborted) return undefined;
         const text = `A picture of it may take about ${seconds}, in which the page does not answer.`;
         const choices = [
             { text: 'Draw it', value: true },

@@ -49,6 +49,8 @@ export class Painter {
     // Another value may make the picture take for ever: it is drawn very small before, and timed.
     private risky = false;
     private foreseen = false; // as things are now
+    private shrinks = false; // the author wants small pictures rather than slow ones
+    private looksAgain = -Infinity;
     // Milliseconds that the author wants to wait.
     private accepted = longest;
     // The same first picture is drawn a second time.
@@ -109,6 +111,7 @@ export class Painter {
         this.risky = risky;
         this.accepted = longest;
         this.least = 1;
+        this.shrinks = false;
         this.request();
     }
 
@@ -124,6 +127,7 @@ export class Painter {
 
     request(drag = false): void {
         this.foreseen = false;
+        this.withdraw(); // a question about another picture
         this.dragged ||= drag;
         this.redo();
     }
@@ -211,17 +215,30 @@ export class Painter {
             if (signal.aborted) return this.schedule();
             if (goes === undefined) return void (this.with_.clock.playing = false);
             this.accepted = goes ? Math.max(this.accepted, 2 * milliseconds) : this.accepted;
-            this.least = 1;
-            while (!goes && milliseconds / this.least ** 2 > short) this.least *= 2;
+            this.shrinks = !goes;
+            this.shrink(goes ? 0 : milliseconds);
             this.redo();
         });
     }
 
+    // To what takes a short time, if the whole picture takes so long.
+    private shrink(milliseconds: number): void {
+        this.least = 1;
+        while (milliseconds / this.least ** 2 > short) this.least *= 2;
+    }
+
     // Whether the picture is drawn now; the author may have been asked instead.
     private looksAhead(): boolean {
-        if (!this.risky || (this.foreseen && !this.with_.clock.playing)) return true;
+        const { playing } = this.with_.clock;
+        if (!this.risky || (this.foreseen && !playing)) return true;
+        const begun = performance.now();
+        if (playing && this.least > 1 && begun < this.looksAgain) return true;
         const milliseconds = this.with_.engine.foresee(this.frame(), this.accepted);
-        if (milliseconds <= this.accepted && !this.with_.clock.playing) this.least = 1;
+        // Between small pictures it takes at most a fifth of the time.
+        this.looksAgain = performance.now() + 4 * (performance.now() - begun);
+        this.shrinks &&= playing || milliseconds > this.accepted;
+        if (milliseconds <= this.accepted) this.least = 1;
+        else if (this.shrinks) this.shrink(milliseconds);
         this.foreseen = milliseconds / this.least ** 2 <= this.accepted;
         if (!this.foreseen) this.ask(milliseconds);
         return this.foreseen;
