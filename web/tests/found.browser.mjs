@@ -39,6 +39,12 @@ const retype = async (page, file, text) => {
     await page.keyboard.sendCharacter(text);
 };
 
+const type = async (page, value) => {
+    await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
+    await page.keyboard.type(value);
+    await page.keyboard.press('Enter');
+};
+
 test('a picture for which a shader emits much says what it costs', async () => {
     const emits = 'for (int i = 0; i < 64; ++i) { gl_Position = vec4(2.); EmitVertex(); }';
     const { page } = await opened({
@@ -122,16 +128,11 @@ test('a picture that was kept small is whole again with a value that makes it qu
     const text = 'uniform float uA;\nvoid main() { float x = 0.; for (float i = 0.; i < uA; i++) x = fract(sin(x + i) * 43758.5); gl_FragColor = vec4(x, 1., 0., 1.); }\n';
     const { page } = await opened({ ...scene('k.glib', 'LookAt 0 0 1.2 0 0 0 0 1 0\n'), 'p.vert': vertex, 'p.frag': text });
     await drawn(page);
-    const type = async (value) => {
-        await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
-        await page.keyboard.type(value);
-        await page.keyboard.press('Enter');
-    };
-    await type('1000000000');
+    await type(page, '1000000000');
     await page.waitForSelector('dialog[open]');
     await press(page, 'Keep it small', 'dialog[open]');
     await until(page, () => /coarser/.test(document.querySelector('.status span').textContent));
-    await type('3');
+    await type(page, '3');
     await drawn(page);
     await page.close();
 });
@@ -176,16 +177,11 @@ test('a moving scene that is kept small is whole again with a value that makes i
     const moving = looping.replace('i < uA;', 'i < uA * (1. + Timer);').replace('uniform', 'uniform float Timer;\nuniform');
     const { page } = await opened({ 't.glib': `Timer 4.\n${scene('t.glib')['t.glib'].replace('<1. 2. 10.>', '<1. 2. 1000000.>')}`, 'p.vert': vertex, 'p.frag': moving });
     await until(page, () => /ms$/.test(document.querySelector('.status span').textContent));
-    const type = async (value) => {
-        await page.$eval('.row.slider > .number', (field) => (field.focus(), field.select()));
-        await page.keyboard.type(value);
-        await page.keyboard.press('Enter');
-    };
-    await type('400000');
+    await type(page, '400000');
     await page.waitForSelector('dialog[open]');
     await press(page, 'Keep it small', 'dialog[open]');
     await until(page, () => /coarser/.test(document.querySelector('.status span').textContent));
-    await type('3');
+    await type(page, '3');
     await until(page, () => /ms$/.test(document.querySelector('.status span').textContent));
     await page.close();
 });
