@@ -1,6 +1,8 @@
 // Compares the times of two builds of the page, in one browser and in turns: of frames, and of the first picture.
-//   node compare.mjs OLD frames|first ROUNDS [WORD...]
+//   node compare.mjs OLD frames|looks|first ROUNDS [WORD...]
 // OLD: another checkout, where `./dev web` was run; WORD: of scenes' paths; without one, all scenes.
+// looks: frames of scenes with long loops, before each of which the new build looks ahead as the page does; OLD may be
+// this checkout.
 // Prints for each scene the median times of both, and the median of the quotients new / old of a round with the bounds
 // between which 95 % of such medians lie: of the CPU's time of all the browser's processes, and of the wall's time.
 import { execFileSync } from 'node:child_process';
@@ -121,11 +123,13 @@ const bundle = await build({
                 if (error) throw new Error(error);
                 engines[name] = { engine, gl: canvas.getContext('webgl2') };
                 for (const [path, content] of files) engine.write(path, content);
-                const { ok, problems } = engine.open(scene, { lints: false });
+                const { ok, problems, shown } = engine.open(scene, { lints: false });
                 if (!ok) throw new Error(JSON.stringify(problems));
                 frames(name, 2);
+                return shown.longLoops;
             };
-            const frame = { time: 0, width: 256, height: 256 };
+            const looks = ${what === 'looks'}, longest = 5000;
+            const frame = looks ? { time: 0, width: 960, height: 640 } : { time: 0, width: 256, height: 256 };
             const pixel = new Uint8Array(4);
             // So many frames, while the view is turned; returns when the graphics have finished the last one.
             globalThis.frames = (name, count) => {
@@ -133,6 +137,7 @@ const bundle = await build({
                 const begun = performance.now();
                 for (let i = 0; i < count; ++i) {
                     engine.turn(.5, 0, i === 0);
+                    if (looks && name === 'new') engine.foresee(frame, longest);
                     engine.draw(frame);
                     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
                 }
@@ -169,7 +174,8 @@ async function compareFrames(page, scene) {
     const kinds = { frame: [], 'frame at rest': [] };
     let count = 0;
     for (let round = 0; round < rounds; ++round) {
-        await inTurn(round, (name) => page.evaluate((name, scene) => start(name, scene), name, scene));
+        const { new: longLoops } = await inTurn(round, (name) => page.evaluate((name, scene) => start(name, scene), name, scene));
+        if (what === 'looks' && !longLoops) return [];
         const frames = (name) => page.evaluate((name, count) => frames(name, count), name, count);
         count ||= Math.max(1, Math.min(100, Math.ceil(200 / (await page.evaluate(() => frames('old', 1))))));
         for (const [kind, found] of Object.entries(kinds)) {
@@ -221,7 +227,7 @@ async function firstPicture(address) {
 const folder = mkdtempSync(join(tmpdir(), 'snell-compare-'));
 try {
     const all = [];
-    if (what === 'frames') {
+    if (what !== 'first') {
         const page = await startFrames();
         for (const scene of scenes) all.push(...(await compareFrames(page, scene)));
     } else {

@@ -1,8 +1,9 @@
-// How coarse the picture is drawn while something is dragged, so that the drag stays smooth: in the window and in
-// pages.
+// How coarse the picture is drawn while something is dragged, so that the drag stays smooth, and what a whole one would
+// take: in the window and in pages.
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string_view>
 
 namespace snell {
@@ -45,5 +46,11 @@ private:
     std::array<Cost, grains.size()> costs_{};
     double moved_ = -1e9, until_ = -1e9;  // when the picture changed last; when it becomes sharp
 };
+
+// About how many milliseconds a picture of width x height pixels takes, found by one of a single pixel and small ones,
+// each of which has four times as many pixels as the one before, until a whole one is seen to take no more than
+// `enough`, or a small one takes long itself. `timed` draws one of that size and returns its milliseconds, which are
+// more where something else kept the machine busy, or a compiler.
+double foresee(int width, int height, double enough, const std::function<double(int width, int height)>& timed);
 
 }  // namespace snell

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <utility>
 
 namespace snell {
 namespace {
@@ -121,6 +124,48 @@ TEST_F(Dragged, TheFirstPictureOfAGrainMayCompile) {
     coarseness.drew(900);
     now += .9;
     EXPECT_EQ(coarseness.next(true, true, now), first) << "is not judged";
+}
+
+// A machine on which a picture takes so many milliseconds for what does not grow with it and for its pixels, the first
+// one what the compiler takes besides, and any up to `noise` times as much.
+struct Machine {
+    double fixed, pixels, compiler, noise;
+
+    static constexpr int width = 1280, height = 720;
+    double whole() const { return fixed + pixels; }
+    double foreseen(double enough, std::mt19937& random, double& spent) const {
+        bool first = true;
+        return foresee(width, height, enough, [&](int across, int up) {
+            const double steady = fixed + pixels * across * up / width / height;
+            const double factor = std::uniform_real_distribution<>(1, noise)(random);
+            const double milliseconds = steady * factor + (std::exchange(first, false) ? compiler : 0);
+            spent += milliseconds;
+            return milliseconds;
+        });
+    }
+};
+
+TEST(Foresee, WhatAPictureTakesWhereSomethingElseKeepsTheMachineBusy) {
+    std::mt19937 random{7};
+    constexpr double enough = 5000;
+    for (const double fixed : {.2, 5., 100., 400., 900., 1800.})
+        for (const double pixels : {.1, 20., 500., 2500., 20e3, 400e3, 3.6e6})
+            for (const double compiler : {0., 300.})
+                for (const double noise : {1., 1.2, 1.3})
+                    for (int i = 0; i < 50; ++i) {
+                        const Machine machine{fixed, pixels, compiler, noise};
+                        double spent = 0;
+                        const double milliseconds = machine.foreseen(enough, random, spent);
+                        SCOPED_TRACE(testing::Message() << fixed << " + " << pixels << " ms, compiler " << compiler
+                                                        << ", noise " << noise << ": " << milliseconds);
+                        const double whole = machine.whole();
+                        const bool both = fixed > 1000 && pixels > 1000;  // then the pixels are not seen
+                        EXPECT_TRUE(both || whole < 2 * enough || milliseconds > enough) << "it would be drawn";
+                        EXPECT_TRUE(whole > enough / 4 || milliseconds < 4 * enough) << "minutes are foreseen";
+                        EXPECT_TRUE(both || noise > 1 || whole < enough || std::abs(milliseconds / whole - 1) < .5);
+                        EXPECT_LT(spent, 20e3) << "looking ahead takes long itself";
+                        if (HasFailure()) return;
+                    }
 }
 
 }  // namespace

@@ -99,37 +99,15 @@ bool Drawing::settle(OpenScene& scene, const Moment& moment) {
 }
 
 double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
-    constexpr int largest = 64, least = 4;           // divisors of width and height
-    constexpr double tells = 300, ends = 2000;       // milliseconds of a small picture: it is believed; it is the last
-    constexpr double compiled = .7, growing = 1.25;  // times the milliseconds of a single pixel
-    constexpr int tell_apart = 64;                   // pixels that take longer than one, if the work is theirs
-    const auto timed = [&](int width, int height) {
+    return snell::foresee(moment.width, moment.height, enough, [&](int width, int height) {
         Moment small = moment;
-        small.width = std::max(width, 1);
-        small.height = std::max(height, 1);
+        small.width = width;
+        small.height = height;
         std::string error;
         const double began = now();
         picture(scene, small, 1, error);
         return (now() - began) * 1e3;
-    };
-    // What does not grow with the size, as the work for vertices does, is all that a single pixel takes.
-    double point = timed(1, 1), whole = point;
-    if (point > enough) return point;
-    for (int divisor = largest; divisor >= least; divisor /= 2) {
-        const int width = std::max(moment.width / divisor, 1), height = std::max(moment.height / divisor, 1);
-        if (width * height < tell_apart && divisor > least) continue;
-        double milliseconds = timed(width, height);
-        if (milliseconds < compiled * point) point = timed(1, 1);  // the first one had waited for the compiler
-        const auto grows = [&] { return milliseconds > growing * point; };
-        // Something else may have kept the machine busy.
-        if (grows() && milliseconds > tells && milliseconds < ends)
-            milliseconds = std::min(milliseconds, timed(width, height));
-        const double share = static_cast<double>(width) * height / moment.width / moment.height;
-        whole = milliseconds;
-        if (grows() || milliseconds < ends) whole += std::max(milliseconds - point, 0.) * (1 / share - 1);
-        if (whole <= enough || (grows() && milliseconds > tells) || milliseconds > ends) break;
-    }
-    return whole;
+    });
 }
 
 std::vector<std::byte> Drawing::picture(OpenScene& scene, const Moment& moment, int samples, std::string& error) {

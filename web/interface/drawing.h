@@ -39,9 +39,7 @@ public:
     double drew(double milliseconds);
     // Does one piece of work for which there is time when nothing changes. Returns false if nothing is left to do.
     bool settle(OpenScene& scene, const Moment& moment);
-    // About how many milliseconds a picture takes, found by one of a single pixel and small ones, each of which has
-    // four times as many pixels as the one before, until a whole one is seen to take no more than `enough`, or a small
-    // one takes long itself.
+    // See snell::foresee.
     double foresee(OpenScene& scene, const Moment& moment, double enough);
     // RGBA bytes, the top row first; empty, with an error, if the size is beyond the limits.
     std::vector<std::byte> picture(OpenScene& scene, const Moment& moment, int samples, std::string& error);
