@@ -1,6 +1,7 @@
 #include "src/document/coarseness.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace snell {
@@ -36,31 +37,41 @@ void Coarseness::drew(double ms) {
 
 double Coarseness::due() const { return grain_ > 0 ? until_ : std::numeric_limits<double>::infinity(); }
 
-double foresee(int width, int height, double enough, const std::function<double(int width, int height)>& timed) {
+double foresee(int width, int height, double enough, double& point,
+               const std::function<double(int width, int height)>& timed) {
     constexpr int largest = 64, least = 4;      // divisors of width and height
     constexpr double tells = 300, ends = 2000;  // milliseconds of a small picture: it is believed; it is the last
     constexpr double compiled = .7, growing = 1.6, unsure = .3;  // times the milliseconds of a single pixel
     constexpr int tell_apart = 64;  // pixels that take longer than one, if the work is theirs
+    const auto side = [](int pixels, int divisor) { return std::max(pixels / divisor, 1); };
+    const auto others = [&](int divisor) {  // pictures of this size
+        return static_cast<double>(width) * height / side(width, divisor) / side(height, divisor) - 1;
+    };
+    const auto at = [&](int divisor) { return timed(side(width, divisor), side(height, divisor)); };
+    double whole = 0;
+    const auto quick = [&](int divisor) { return whole + unsure * point * others(divisor) <= enough; };
+    if (std::isfinite(point)) {
+        const double milliseconds = at(largest);
+        whole = milliseconds + std::max(milliseconds - point, 0.) * others(largest);
+        if (quick(largest)) return whole;
+    }
     // What does not grow with the size, as the work for vertices does, is all that a single pixel takes.
-    double point = timed(1, 1), whole = point;
+    whole = point = timed(1, 1);
     if (point > enough) return point;
     for (int divisor = largest; divisor >= least; divisor /= 2) {
-        const int across = std::max(width / divisor, 1), up = std::max(height / divisor, 1);
-        if (across * up < tell_apart && divisor > least) continue;
-        const double others = static_cast<double>(width) * height / across / up - 1;  // pictures of this size
-        double milliseconds = timed(across, up);
+        if (side(width, divisor) * side(height, divisor) < tell_apart && divisor > least) continue;
+        double milliseconds = at(divisor);
         const auto grows = [&] { return milliseconds > growing * point; };
         // That of a single pixel had waited for the compiler or something else.
         if (milliseconds < compiled * point || (milliseconds > ends && !grows())) point = std::min(point, timed(1, 1));
         const auto of_all = [&] {
             const bool told = grows() || milliseconds < ends || divisor == least;
-            return milliseconds + (told ? std::max(milliseconds - point, 0.) * others : 0);
+            return milliseconds + (told ? std::max(milliseconds - point, 0.) * others(divisor) : 0);
         };
         whole = of_all();
-        if (whole + unsure * point * others <= enough) break;
-        if (milliseconds > ends) break;
+        if (quick(divisor) || milliseconds > ends) break;
         if ((grows() && milliseconds > tells) || divisor == least) {  // something else may have kept the machine busy
-            milliseconds = std::min(milliseconds, timed(across, up));
+            milliseconds = std::min(milliseconds, at(divisor));
             whole = of_all();
             if (grows() && milliseconds > tells) break;
         }

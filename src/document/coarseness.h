@@ -50,7 +50,9 @@ private:
 // About how many milliseconds a picture of width x height pixels takes, found by one of a single pixel and small ones,
 // each of which has four times as many pixels as the one before, until a whole one is seen to take no more than
 // `enough`, or a small one takes long itself. `timed` draws one of that size and returns its milliseconds, which are
-// more where something else kept the machine busy, or a compiler.
-double foresee(int width, int height, double enough, const std::function<double(int width, int height)>& timed);
+// more where something else kept the machine busy, or a compiler. `point`: what a single pixel took when it was asked
+// before, with which one small picture is enough if a whole one is quick still; infinity: it was not.
+double foresee(int width, int height, double enough, double& point,
+               const std::function<double(int width, int height)>& timed);
 
 }  // namespace snell

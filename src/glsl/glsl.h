@@ -164,6 +164,13 @@ inline constexpr int stage_attributes = 5;
 // On OpenGL ES, the loops of which nobody knows how often they go round are left after so many rounds, together.
 inline constexpr int most_rounds = 1 << 18;
 
+// The loops of a stage may go round thousands of times, unless each of the uniforms `bounds` is at most `up_to` in
+// magnitude; negative: whatever they are.
+struct LongLoops {
+    std::vector<std::string> bounds;
+    double up_to = -1;
+};
+
 struct Translation {
     bool ok = false;  // false: diagnostics hold at least one error
     std::vector<StageOutput> stages;
@@ -184,9 +191,8 @@ struct Translation {
     // The name of the matrix that places the vertices, if the vertex shader only multiplies them by it, and a draw
     // that shows none of them changes nothing; empty otherwise. A scene may set a uniform of that name.
     std::string placed_by;
-    bool reads_place = false;  // the fragment shader names gl_FragCoord
-    // OpenGL ES: its loops go round thousands of times, or nobody knows how often. They are left after most_rounds.
-    bool long_loops = false;
+    bool reads_place = false;           // the fragment shader names gl_FragCoord
+    std::vector<LongLoops> long_loops;  // OpenGL ES: of stages; they are left after most_rounds
 };
 
 // Translates all stages of one program together: interfaces between them are made to match.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -68,8 +69,18 @@ const Controls& Runtime::controls() const { return impl_->given; }
 const Diagnostics& Runtime::value_problems() const { return impl_->value_problems; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
-bool Runtime::long_loops() const {
-    return ranges::any_of(impl_->programs, [](const auto& each) { return each.second && each.second->long_loops; });
+bool Runtime::long_loops(const Controls* values) const {
+    const auto long_for = [&](Index program, const glsl::LongLoops& loops) {
+        const auto large = [&](const std::string& name) {
+            const Control* control = values->find(program, name);
+            return control && ranges::any_of(control->value, [&](double x) { return !(std::abs(x) <= loops.up_to); });
+        };
+        return !values || loops.up_to < 0 || ranges::any_of(loops.bounds, large);
+    };
+    return ranges::any_of(impl_->programs, [&](const auto& each) {
+        const auto is_long = [&](const glsl::LongLoops& loops) { return long_for(each.first.first, loops); };
+        return each.second && ranges::any_of(each.second->long_loops, is_long);
+    });
 }
 bool Runtime::sampled(Index texture) const {
     return impl_->textures.asked(texture) || impl_->dormant_textures.contains(impl_->textures.first(texture));

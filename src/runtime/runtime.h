@@ -109,8 +109,8 @@ public:
     // Some drawn program reads Timer or uTime: every moment is another picture.
     bool animated() const;
     bool uses_mouse() const;
-    // As glsl::Translation's, of some program.
-    bool long_loops() const;
+    // Loops of some program may be long, as glsl::LongLoops says: with these values, or with some.
+    bool long_loops(const Controls* values = nullptr) const;
     // Something that is drawn reads the texture (Scene::textures), directly or by what is computed from it.
     bool sampled(Index texture) const;
 

@@ -34,13 +34,6 @@ std::vector<ActiveUniform> as_declared(std::vector<ActiveUniform> uniforms, cons
 
 constexpr std::size_t most_forms = 4;  // besides that of any values
 
-std::vector<double> values_of(const Controls& controls) {
-    std::vector<double> values;
-    for (const Control& control : controls.items)
-        values.insert(values.end(), control.value.begin(), control.value.end());
-    return values;
-}
-
 }  // namespace
 
 // The controls of a program that is not compiled yet are those of the uniforms that it declares.

@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <utility>
 
@@ -133,9 +134,9 @@ struct Machine {
 
     static constexpr int width = 1280, height = 720;
     double whole() const { return fixed + pixels; }
-    double foreseen(double enough, std::mt19937& random, double& spent) const {
+    double foreseen(double enough, double point, std::mt19937& random, double& spent) const {
         bool first = true;
-        return foresee(width, height, enough, [&](int across, int up) {
+        return foresee(width, height, enough, point, [&](int across, int up) {
             const double steady = fixed + pixels * across * up / width / height;
             const double factor = std::uniform_real_distribution<>(1, noise)(random);
             const double milliseconds = steady * factor + (std::exchange(first, false) ? compiler : 0);
@@ -147,7 +148,7 @@ struct Machine {
 
 TEST(Foresee, WhatAPictureTakesWhereSomethingElseKeepsTheMachineBusy) {
     std::mt19937 random{7};
-    constexpr double enough = 5000;
+    constexpr double enough = 5000, infinity = std::numeric_limits<double>::infinity();
     for (const double fixed : {.2, 5., 100., 400., 900., 1800.})
         for (const double pixels : {.1, 20., 500., 2500., 20e3, 400e3, 3.6e6})
             for (const double compiler : {0., 300.})
@@ -155,7 +156,8 @@ TEST(Foresee, WhatAPictureTakesWhereSomethingElseKeepsTheMachineBusy) {
                     for (int i = 0; i < 50; ++i) {
                         const Machine machine{fixed, pixels, compiler, noise};
                         double spent = 0;
-                        const double milliseconds = machine.foreseen(enough, random, spent);
+                        const double before = std::array{infinity, .2, fixed}[static_cast<std::size_t>(i) % 3];
+                        const double milliseconds = machine.foreseen(enough, before, random, spent);
                         SCOPED_TRACE(testing::Message() << fixed << " + " << pixels << " ms, compiler " << compiler
                                                         << ", noise " << noise << ": " << milliseconds);
                         const double whole = machine.whole();
@@ -166,6 +168,14 @@ TEST(Foresee, WhatAPictureTakesWhereSomethingElseKeepsTheMachineBusy) {
                         EXPECT_LT(spent, 20e3) << "looking ahead takes long itself";
                         if (HasFailure()) return;
                     }
+}
+
+TEST(Foresee, OneSmallPictureIsEnoughAfterTheFirstTime) {
+    std::mt19937 random{7};
+    const Machine machine{1, 40, 0, 1};
+    double spent = 0;
+    machine.foreseen(5000, 1, random, spent);
+    EXPECT_LT(spent, 1.1);
 }
 
 }  // namespace

@@ -22,14 +22,14 @@ TEST_P(Rounds, AreCountedWhereNothingShowsThatTheyAreFew) {
                              " gl_FragColor = vec4(x + float(n)); }\n";
     for (const Target& target : {es300, es320}) {
         const Translated t = fragment(text, target);
-        EXPECT_EQ(t.translation.long_loops, counts != 0 || lasts);
+        EXPECT_EQ(!t.translation.long_loops.empty(), counts != 0 || lasts);
         EXPECT_EQ(t.has(Stage::fragment, "snell_Rounds"), counts != 0);
         if (counts > 0) {
             EXPECT_TRUE(t.has(Stage::fragment, "snell_round(" + std::to_string(counts) + ") < 262144"))
                 << t.text(Stage::fragment);
         }
     }
-    EXPECT_FALSE(fragment(text, core450).translation.long_loops);
+    EXPECT_TRUE(fragment(text, core450).translation.long_loops.empty());
     expect_valid({{Stage::fragment, text}}, {es300, es320});
 }
 
@@ -87,8 +87,68 @@ TEST(GlslRounds, ASettledBoundIsKnown) {
                           "gl_FragColor = vec4(x); }\n"}},
                         options);
         EXPECT_EQ(t.translation.settled.size(), 1u);
-        EXPECT_EQ(t.translation.long_loops, value > 1e5) << t.text(Stage::fragment);
+        EXPECT_EQ(!t.translation.long_loops.empty(), value > 1e5) << t.text(Stage::fragment);
     }
+}
+
+struct Bounded {
+    const char* body;  // of main
+    double up_to;      // what the uniforms may be
+    std::vector<std::string> bounds = {};
+    const char* before = "";
+};
+
+class RoundsByUniforms : public testing::TestWithParam<Bounded> {};
+
+TEST_P(RoundsByUniforms, AreFewUpToAValue) {
+    const auto& [body, up_to, bounds, before] = GetParam();
+    SCOPED_TRACE(body);
+    const std::string text = "uniform int uN;\nuniform uint uU;\nuniform float uX;\n" + std::string(before) +
+                             "void main() { float x = uX; int n = uN; " + body + " gl_FragColor = vec4(x); }\n";
+    const Translated t = fragment(text, es300);
+    ASSERT_EQ(t.translation.long_loops.size(), 1u);
+    const LongLoops& found = t.translation.long_loops.front();
+    EXPECT_EQ(found.up_to, up_to);
+    EXPECT_EQ(found.bounds, bounds);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, RoundsByUniforms,
+    testing::Values(Bounded{"for (int i = 0; i < uN; ++i) x += 1.;", 2048, {"uN"}},
+                    Bounded{"for (uint i = 0u; i < uU; ++i) x += 1.;", 2048, {"uU"}},
+                    Bounded{"for (int i = uN; i >= 0; i -= 4) x += 1.;", 4096, {"uN"}},
+                    Bounded{"for (float t = 0.; t < uX; t += .01) x += 1.;", 32, {"uX"}},
+                    Bounded{"for (int i = 0; i < uN; ++i) for (int k = -uN; k <= uN; ++k) x += 1.;", 32, {"uN"}},
+                    Bounded{"for (int i = 0; i < uN; ++i) for (float t = 0.; t < uX; ++t) x += 1.;", 32, {"uN", "uX"}},
+                    Bounded{"for (int i = 0; i < n; ++i) x += 1.;", 2048, {"uN"}},
+                    Bounded{"int most = int(uX * 10.) + 1; for (int i = 0; i < most; ++i) x += 1.;", 256, {"uX"}},
+                    Bounded{"for (int i = 0; i < 2 * (uN - 1); ++i) x += 1.;", 1024, {"uN"}},
+                    Bounded{"for (int i = 0; i < uN; ++i) { if (x > 9.) break; x += f(x); }",
+                            32,
+                            {"uN"},
+                            "float f(float x) { for (int k = 0; k < uN; ++k) x += 1.; return x; }\n"},
+                    Bounded{"for (int i = 0; i < max(uN, 10); ++i) x += 1.;", 2048, {"uN"}},
+                    // Whatever they are.
+                    Bounded{"while (x < uX) x += 1.;", -1}, Bounded{"for (float t = 0.; t < 9.; t += uX) x += 1.;", -1},
+                    Bounded{"for (int i = 0; i < n; ++i) ++n;", -1},
+                    Bounded{"for (int i = 0; i < uN; i += uN) x += 1.;", -1},
+                    Bounded{"for (uint i = 0u; i < uint(uN); ++i) x += 1.;", -1},
+                    Bounded{"for (uint i = 0u; i < uU - 1u; ++i) x += 1.;", -1},
+                    Bounded{"for (int i = 0; i < 9000; ++i) x += uX;", -1},
+                    Bounded{"for (int i = 0; i < uN; ++i) while (x < 9.) x += uX;", -1},
+                    Bounded{"for (int i = 0; i < int(1. / uX); ++i) x += 1.;", -1}));
+
+TEST(GlslRounds, ABoundThatIsClampedIsKnown) {
+    const auto counts = [](const std::string& bound) {
+        return !fragment("uniform int uN;\nvoid main() { float x = 0.; for (int i = 0; i < " + bound +
+                             "; ++i) x += .1; gl_FragColor = vec4(x); }\n",
+                         es300)
+                    .translation.long_loops.empty();
+    };
+    EXPECT_FALSE(counts("min(uN, 100)"));
+    EXPECT_FALSE(counts("clamp(uN, 1, 100)"));
+    EXPECT_TRUE(counts("min(uN, 5000)"));
+    EXPECT_TRUE(counts("max(uN, 100)"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,7 +40,7 @@ public:
     double drew(double milliseconds);
     // Does one piece of work for which there is time when nothing changes. Returns false if nothing is left to do.
     bool settle(OpenScene& scene, const Moment& moment);
-    // See snell::foresee.
+    // See snell::foresee; 0: no loop of it is long.
     double foresee(OpenScene& scene, const Moment& moment, double enough);
     // RGBA bytes, the top row first; empty, with an error, if the size is beyond the limits.
     std::vector<std::byte> picture(OpenScene& scene, const Moment& moment, int samples, std::string& error);
@@ -52,6 +53,14 @@ private:
     // Of the last picture.
     const Document* drawn_ = nullptr;
     Rungs rungs_;
+    // Of the last look ahead.
+    struct {
+        const Document* document = nullptr;
+        Rungs rungs = {};
+        std::vector<double> values = {};
+        double whole = 0, point = std::numeric_limits<double>::infinity();  // in milliseconds
+        double again = 0;                                                   // when another view is looked at again
+    } looked_;
 };
 
 }  // namespace snell::web

@@ -1,11 +1,16 @@
 // Loops that may never end, for browsers, which would stand still with them. Where nothing in the text shows that the
 // loops of a stage are left after few rounds, they count their rounds together, as Mesa's llvmpipe counts those of all
-// loops, and are left as soon as there are most_rounds.
+// loops, and are left as soon as there are most_rounds. Which uniforms bound them is found besides: as long as these
+// are small, no picture takes long.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
 
 #include "parser/text/number.h"
 #include "src/glsl/read/tree.h"
@@ -18,19 +23,33 @@ namespace {
 constexpr double many = 4096;  // in all loops of a stage
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
+// Least and most of what an expression may be.
+struct Range {
+    double low = -unknown, high = unknown;
+
+    double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
+};
+
 class Rounds {
 public:
     explicit Rounds(Unit& unit) : u_(unit) {}
 
-    bool run() {
-        if (mentions(u_, "snell_round")) return true;  // translated before
+    std::optional<LongLoops> run() {
+        if (mentions(u_, "snell_round")) return LongLoops{};  // translated before
         const double rounds = of_function("main");
         if (counts_)
             u_.header += fmt::format(
                 "highp int snell_Rounds = 0;\nhighp int snell_round(highp int n) "
                 "{{ return snell_Rounds += snell_Rounds < {} ? n : 0; }}\n",
                 most_rounds);
-        return counts_ || rounds >= many;
+        if (!counts_ && rounds < many) return std::nullopt;
+        LongLoops found;
+        for (largest_ = many; largest_ >= 1 && found.up_to < 0; largest_ = *largest_ / 2) {
+            functions_.clear();
+            if (of_function("main") < many) found.up_to = *largest_;
+        }
+        if (found.up_to > 0) found.bounds.assign(bounds_.begin(), bounds_.end());
+        return found;
     }
 
 private:
@@ -59,32 +78,76 @@ private:
     }
 
     double of_loop(int loop, double inside) {
-        const double all = own_rounds(loop) * (1 + inside);
-        if (all < most_rounds) return all;
+        const double own = own_rounds(loop), all = own == 0 ? 0 : own * (1 + inside);
+        if (all < most_rounds || largest_) return all;
         count(loop, static_cast<int>(std::min(1 + inside, static_cast<double>(most_rounds))));
         return 0;
     }
 
-    // A number of the text, or what a settled uniform or a word of old versions is written as; NaN: it is not known.
-    double number(int node) const {
+    // Of numbers of the text, of what a settled uniform or a word of old versions is written as, and of uniforms.
+    Range range(int node) {
         const Node& n = at(node);
-        if (!n.type.scalar() || n.first < 0) return std::nan("");
-        if (n.value.size() == 1) return n.value.front();
+        if (!n.type.scalar() || n.first < 0) return {};
+        const Range found = n.value.size() == 1 ? Range{n.value.front(), n.value.front()} : combined(n, parts(node));
+        const bool wraps = n.type.base == Base::uinteger && found.low < 0;
+        return wraps ? Range{} : found;
+    }
+
+    Range combined(const Node& n, const std::vector<int>& inside) {
+        if (const Range number = written(n); std::isfinite(number.high)) return number;
+        if (n.form == Form::name) return of_name(n);
+        std::vector<Range> of;
+        for (const int part : inside) of.push_back(range(part));
+        if (of.size() == 1 && (n.form == Form::group || n.form == Form::construct)) return of[0];
+        if (n.form == Form::prefix && n.text == "-") return {-of[0].high, -of[0].low};
+        const bool built_in = n.form == Form::built_in;
+        if (built_in && n.text == "clamp" && of.size() == 3) return {of[1].low, of[2].high};
+        if (of.size() != 2 || (n.form != Form::infix && !built_in)) return {};
+        const auto& [a, b] = std::tie(of[0], of[1]);
+        if (n.text == "min") return {std::min(a.low, b.low), std::min(a.high, b.high)};
+        if (n.text == "max") return {std::max(a.low, b.low), std::max(a.high, b.high)};
+        if (n.text == "+") return {a.low + b.low, a.high + b.high};
+        if (n.text == "-") return {a.low - b.high, a.high - b.low};
+        const double most = n.text == "*" ? a.magnitude() * b.magnitude() : unknown;
+        return {a.low >= 0 && b.low >= 0 ? 0 : -most, most};
+    }
+
+    Range of_name(const Node& n) {
+        const bool uniform =
+            n.global >= 0 && u_.globals[static_cast<std::size_t>(n.global)].qualifiers.storage == Storage::uniform;
+        if (uniform && largest_) {
+            bounds_.emplace(u_.globals[static_cast<std::size_t>(n.global)].name);
+            return {n.type.base == Base::uinteger ? 0 : -*largest_, *largest_};
+        }
+        if (const int begin = uniform ? -1 : only_value(n.variable); begin >= 0) return range(begin);
+        return {};
+    }
+
+    // The initialiser of a variable that nothing is stored in later; -1: it has none.
+    int only_value(int variable) const {
+        if (variable < 0 || stored_in(variable, 0, static_cast<int>(u_.tree->size()) - 1)) return -1;
+        for (int k = 0; k < static_cast<int>(u_.tree->size()); ++k)
+            if (at(k).form == Form::declarator && at(k).variable == variable)
+                return parts(k).empty() ? -1 : parts(k).back();
+        return -1;
+    }
+
+    Range written(const Node& n) const {
         const std::string text = render(u_, n.first, n.last);
         const bool decided = text.starts_with(decided_text);
         const char* const end = text.data() + text.size();
         double value = 0;
         const auto [read, wrong] = read_real(text.data() + (decided ? decided_text.size() : 0), end, value);
-        return wrong == std::errc() && (decided || read == end) ? value : std::nan("");
+        return wrong == std::errc() && (decided || read == end) ? Range{value, value} : Range{};
     }
 
-    double own_rounds(int loop) const {
+    double own_rounds(int loop) {
         const std::vector<int> all = parts(loop);
         return at(loop).text == "for" && all.size() == 4 ? rounds_while(all[1], all) : unknown;
     }
 
     // As long as that holds, of a loop that counts from a number to a number by a number. `all`: parts of the loop.
-    double rounds_while(int condition, const std::vector<int>& all) const {
+    double rounds_while(int condition, const std::vector<int>& all) {
         const Node& test = at(condition);
         const std::vector<int> sides = parts(condition);
         if (test.form == Form::group) return rounds_while(sides[0], all);
@@ -98,24 +161,28 @@ private:
         const double by = step->op == '+' ? step->by : -step->by;
         const auto [from, to] = ends(*begin, sides[1], all[3]);
         const bool up = by > 0 && test.text.front() == '<', down = by < 0 && test.text.front() == '>';
-        const bool whole = at(sides[0]).type.integral();  // a float may be so large that it stays
-        const bool moves = whole || std::abs(by) > std::max(std::abs(from), std::abs(to)) * 0x1p-22;
-        return (up || down) && moves && std::isfinite(to - from) ? std::max(0., (to - from) / by + 1) : unknown;
+        const double least = up ? from.low : from.high, most = up ? to.high : to.low;
+        const Type& type = at(sides[0]).type;
+        if (type.base == Base::uinteger && (from.low < 0 || to.low < 0)) return unknown;
+        const bool whole = type.integral();  // a float may be so large that it stays
+        const bool moves = whole || std::abs(by) > std::max(std::abs(least), std::abs(most)) * 0x1p-22;
+        return (up || down) && moves && std::isfinite(most - least) ? std::max(0., (most - least) / by + 1) : unknown;
     }
 
     // What it counts from and to; of `i = first; i < first + 16`, from 0.
-    std::pair<double, double> ends(int begin, int bound, int body) const {
+    std::pair<Range, Range> ends(int begin, int bound, int body) {
         const std::vector<int> sides = parts(bound);
         const Node& first = at(begin);
         const bool sum = at(bound).form == Form::infix && at(bound).text == "+" && first.type.integral() &&
                          first.form == Form::name && at(sides[0]).form == Form::name &&
                          first.variable == at(sides[0]).variable && !stored(first.variable, body);
-        return sum ? std::pair(0., number(sides[1])) : std::pair(number(begin), number(bound));
+        return sum ? std::pair(Range{0, 0}, range(sides[1])) : std::pair(range(begin), range(bound));
     }
 
-    bool stored(int variable, int node) const {
+    bool stored(int variable, int node) const { return stored_in(variable, at(node).begin, node); }
+    bool stored_in(int variable, int first, int last) const {
         bool found = false;
-        each_stored(u_, at(node).begin, node, [&](int other) { found = found || other == variable; });
+        each_stored(u_, first, last, [&](int other) { found = found || other == variable; });
         return found;
     }
 
@@ -143,10 +210,12 @@ private:
     Unit& u_;
     bool counts_ = false;
     std::map<std::string_view, double> functions_;
+    std::optional<double> largest_;  // magnitude of uniforms; none: they are not known, and loops are made to count
+    std::set<std::string> bounds_;
 };
 
 }  // namespace
 
-bool bound_loops(Unit& unit) { return unit.tree && Rounds(unit).run(); }
+std::optional<LongLoops> bound_loops(Unit& unit) { return unit.tree ? Rounds(unit).run() : std::nullopt; }
 
 }  // namespace snell::glsl

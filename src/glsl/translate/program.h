@@ -130,8 +130,8 @@ void choose_settled(Program& program);
 void resolve_marks(Program& program);
 // What settled uniforms decide is written as this, its value, " : ", the expression, and ")".
 inline constexpr std::string_view decided_text = "(true ? ";
-// Loops that may never end are left after most_rounds; after resolve_marks. Returns Translation::long_loops.
-bool bound_loops(Unit& unit);
+// Loops that may never end are left after most_rounds; after resolve_marks. Returns one of Translation::long_loops.
+std::optional<LongLoops> bound_loops(Unit& unit);
 // As Options::constant says; Program::settled has it if every stage does.
 void write_constant(Program& program);
 // The function that marks call, for each type that it takes: snell_divisor or snell_value.

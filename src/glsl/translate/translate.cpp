@@ -179,7 +179,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});
         declare_functions(program, u);
         copy_assigned(program, u);
-        out.long_loops = bound_loops(u) || out.long_loops;
+        if (auto loops = bound_loops(u)) out.long_loops.push_back(std::move(*loops));
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);

@@ -452,6 +452,13 @@ Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveU
     return controls;
 }
 
+std::vector<double> values_of(const Controls& controls) {
+    std::vector<double> values;
+    for (const Control& control : controls.items)
+        values.insert(values.end(), control.value.begin(), control.value.end());
+    return values;
+}
+
 bool same_uniforms(const Controls& a, const Controls& b) {
     return ranges::equal(a.items, b.items, [](const Control& x, const Control& y) {
         return x.program == y.program && x.name == y.name && x.active == y.active && x.value.size() == y.value.size();

@@ -71,6 +71,9 @@ Controls make_controls(const Scene& scene, const std::vector<std::vector<ActiveU
 void reset(Control& control);
 void reset(Control& control, std::size_t component);
 
+// All of them, in their order.
+std::vector<double> values_of(const Controls& controls);
+
 // True if both hold the same uniforms at the same places: an index into the one means the same in the other.
 bool same_uniforms(const Controls& a, const Controls& b);
 

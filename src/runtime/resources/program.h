@@ -73,7 +73,7 @@ struct LinkedProgram {
     bool plain_depth = false;  // as Translation's
     bool in_place = false;     // vertices are where the mesh and the matrices have them
     bool reads_place = false;  // as Translation's
-    bool long_loops = false;   // as Translation's
+    std::vector<glsl::LongLoops> long_loops;
     bool tessellates = false;
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
