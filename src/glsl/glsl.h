@@ -185,7 +185,8 @@ struct Translation {
     // that shows none of them changes nothing; empty otherwise. A scene may set a uniform of that name.
     std::string placed_by;
     bool reads_place = false;  // the fragment shader names gl_FragCoord
-    // OpenGL ES: its loops go round thousands of times, or nobody knows how often. They are left after most_rounds.
+    // Its loops go round thousands of times, or nobody knows how often: those of the fragment shader, and in OpenGL ES,
+    // where they are left after most_rounds, those of any stage.
     bool long_loops = false;
 };
 

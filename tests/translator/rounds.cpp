@@ -29,7 +29,10 @@ TEST_P(Rounds, AreCountedWhereNothingShowsThatTheyAreFew) {
                 << t.text(Stage::fragment);
         }
     }
-    EXPECT_FALSE(fragment(text, core450).translation.long_loops);
+    // Drivers of desktops end loops themselves, or nobody does.
+    const Translated desktop = fragment(text, core450);
+    EXPECT_EQ(desktop.translation.long_loops, counts != 0 || lasts);
+    EXPECT_FALSE(desktop.has(Stage::fragment, "snell_round"));
     expect_valid({{Stage::fragment, text}}, {es300, es320});
 }
 
@@ -73,6 +76,14 @@ INSTANTIATE_TEST_SUITE_P(
         Loops{"while (x < 1.) while (x < 1.) x += 1.;", -1},
         // What nobody calls.
         Loops{"x += 1.;", 0, "float f(float x) { while (true) x += 1.; return x; }\n"}));
+
+// A picture of fewer pixels has as many vertices.
+TEST(GlslRounds, ThoseOfVerticesAreAskedAboutOnlyWhereTheyCount) {
+    const std::string text =
+        "uniform int uN;\nvoid main() { float x = 0.; for (int i = 0; i < uN; ++i) x += .1; gl_Position = vec4(x); }\n";
+    EXPECT_TRUE(vertex(text, es300).translation.long_loops);
+    EXPECT_FALSE(vertex(text, core450).translation.long_loops);
+}
 
 // A settled uniform is a number of the text.
 TEST(GlslRounds, ASettledBoundIsKnown) {

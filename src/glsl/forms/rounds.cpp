@@ -1,6 +1,6 @@
-// Loops that may never end, for browsers, which would stand still with them. Where nothing in the text shows that the
-// loops of a stage are left after few rounds, they count their rounds together, as Mesa's llvmpipe counts those of all
-// loops, and are left as soon as there are most_rounds.
+// How often loops go round, as far as the text tells. For browsers, which would stand still with loops that never end:
+// where nothing shows that the loops of a stage are left after few rounds, they count their rounds together, as Mesa's
+// llvmpipe counts those of all loops, and are left as soon as there are most_rounds.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,12 +20,13 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 
 class Rounds {
 public:
-    explicit Rounds(Unit& unit) : u_(unit) {}
+    // `bounded`: loops count.
+    Rounds(Unit& unit, bool bounded) : u_(unit), bounded_(bounded) {}
 
     bool run() {
         if (mentions(u_, "snell_round")) return true;  // translated before
         const double rounds = of_function("main");
-        if (counts_)
+        if (counts_ && bounded_)
             u_.header += fmt::format(
                 "highp int snell_Rounds = 0;\nhighp int snell_round(highp int n) "
                 "{{ return snell_Rounds += snell_Rounds < {} ? n : 0; }}\n",
@@ -124,6 +125,7 @@ private:
         const std::vector<int> all = parts(loop);
         if (all.size() != (at(loop).text == "for" ? 4 : 2)) return;  // not understood
         counts_ = true;
+        if (!bounded_) return;
         const Node& test = at(all[at(loop).text == "while" ? 0 : 1]);
         const std::string few = fmt::format("snell_round({}) < {}", weight, most_rounds);
         if (test.form == Form::empty) {
@@ -141,12 +143,12 @@ private:
     void before(int token, const std::string& text) { u_.edit(token).before.insert(0, text); }
 
     Unit& u_;
-    bool counts_ = false;
+    bool bounded_, counts_ = false;
     std::map<std::string_view, double> functions_;
 };
 
 }  // namespace
 
-bool bound_loops(Unit& unit) { return unit.tree && Rounds(unit).run(); }
+bool long_loops(Unit& unit, bool bounded) { return unit.tree && Rounds(unit, bounded).run(); }
 
 }  // namespace snell::glsl
