@@ -8,8 +8,6 @@ namespace snell {
 
 namespace {
 
-constexpr int coarsest = static_cast<int>(grains.size()) - 1;
-
 // An upper bound of what the next finer grain multiplies the time by.
 constexpr double finer_costs = 4;
 
@@ -33,6 +31,17 @@ void Coarseness::drew(double ms) {
     Cost& cost = costs_[static_cast<std::size_t>(grain_)];
     ++cost.frames;
     cost.ms = ms;
+}
+
+double Coarseness::foreseen() const { return costs_.back().ms * grains.back().divide * grains.back().divide; }
+
+bool Coarseness::foresaw(double ms, double now) {
+    costs_.back().ms = ms;
+    if (!lasts()) return false;
+    ++costs_.back().frames;
+    grain_ = dragged_ = coarsest;
+    until_ = now + rest;
+    return true;
 }
 
 double Coarseness::due() const { return grain_ > 0 ? until_ : std::numeric_limits<double>::infinity(); }

@@ -1,5 +1,5 @@
 // How coarse the picture is drawn while something is dragged, so that the drag stays smooth, and what a whole one would
-// take: in the window and in pages.
+// take: in the window and in pages. In the window, also before a sharp one for which nobody would wait.
 #pragma once
 
 #include <array>
@@ -17,11 +17,13 @@ struct Grain {
 };
 inline constexpr std::array<Grain, 4> grains{
     {{4, 1, ""}, {1, 1, "1 sample"}, {1, 2, "1 sample, half size"}, {1, 4, "1 sample, quarter size"}}};
+inline constexpr int coarsest = static_cast<int>(grains.size()) - 1;
 
 class Coarseness {
 public:
-    static constexpr double slow = 33;   // milliseconds of a frame, above which the next one is coarser
-    static constexpr double rest = .15;  // seconds without a change, after which the picture is sharp
+    static constexpr double slow = 33;       // milliseconds of a frame, above which the next one is coarser
+    static constexpr double rest = .15;      // seconds without a change, after which the picture is sharp
+    static constexpr double patience = 500;  // milliseconds that a sharp picture may take without a coarse one before
     static constexpr double again = .3;  // seconds between changes that are one gesture without a button: wheel, keys
 
     // Returns the index into `grains` of the next frame. `moved`: the user's input changes the picture; `held`: a mouse
@@ -32,6 +34,12 @@ public:
     void drew(double ms);
     // The same for what was drawn beside it.
     void drew_beside(double ms) { costs_[static_cast<std::size_t>(grain_)].ms += ms; }
+    // Where nobody knows how long the next picture takes: tells what one of the coarsest grain took. Returns true if it
+    // is the next picture, because a sharp one may take longer than `patience`.
+    bool foresaw(double ms, double now);
+    // Milliseconds of a sharp picture at the most, as the last one of the coarsest grain tells; 0: none tells.
+    double foreseen() const;
+    bool lasts() const { return foreseen() > patience; }
     // Nothing is dragged any more, as far as the mouse tells: the next picture is sharp.
     void released() { until_ = -1e9; }
     // When a sharp picture is due if nothing moves; infinite if the picture is sharp.

@@ -191,8 +191,9 @@ struct Translation {
     // The name of the matrix that places the vertices, if the vertex shader only multiplies them by it, and a draw
     // that shows none of them changes nothing; empty otherwise. A scene may set a uniform of that name.
     std::string placed_by;
-    bool reads_place = false;           // the fragment shader names gl_FragCoord
-    std::vector<LongLoops> long_loops;  // OpenGL ES: of stages; they are left after most_rounds
+    bool reads_place = false;  // the fragment shader names gl_FragCoord
+    // Of the fragment shader, and in OpenGL ES, where they are left after most_rounds, of any stage.
+    std::vector<LongLoops> long_loops;
 };
 
 // Translates all stages of one program together: interfaces between them are made to match.

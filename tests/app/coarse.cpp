@@ -115,6 +115,21 @@ TEST_F(Dragged, OneChangeWithoutAButtonIsSharp) {
     EXPECT_GT(step(true, false), 0) << "keys and the wheel repeat";
 }
 
+TEST_F(Dragged, PicturesThatLastBeginCoarse) {
+    EXPECT_FALSE(coarseness.lasts()) << "nothing is known";
+    coarseness.next(true, false, now);
+    EXPECT_FALSE(coarseness.foresaw(30, now)) << "a sharp picture in half a second";
+    EXPECT_TRUE(std::isinf(coarseness.due()));
+    sharp_ms = 5000;
+    coarseness.next(true, false, now);
+    EXPECT_TRUE(coarseness.foresaw(cost(3), now));
+    EXPECT_TRUE(coarseness.lasts());
+    EXPECT_EQ(coarseness.due(), now + Coarseness::rest);
+    EXPECT_EQ(step(true), 3) << "a drag goes on as coarse as it begins";
+    now = coarseness.due();
+    EXPECT_EQ(step(false), 0);
+}
+
 TEST_F(Dragged, TheFirstPictureOfAGrainMayCompile) {
     opened();
     step(true);

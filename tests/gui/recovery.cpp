@@ -24,10 +24,10 @@ protected:
     bool shows(Pixel color, double seconds = 20) const {
         return wait([&](const nlohmann::json&) { return scene_pixel(90, 70) == color; }, seconds);
     }
-    // Of more rounds than a frame has time for, together.
+    // Of more rounds than even a coarse picture has time for, together.
     static std::string loops(const std::string& rounds, const std::string& number) {
-        const std::string one =
-            "  for (int i = 0; i < " + rounds + "; ++i) x = fract(sin(x + " + number + ") * 43758.5);\n";
+        const std::string step = " x = fract(sin(x + " + number + ") * 43758.5);";
+        const std::string one = "  for (int i = 0; i < " + rounds + "; ++i) {" + step + step + step + step + " }\n";
         return one + one;
     }
     std::size_t restarts() const {

@@ -298,6 +298,24 @@ TEST_F(Language, ProgramWithoutArgumentsIsTheBuiltInOne) {
     EXPECT_TRUE(near(picture.center(), blue));
 }
 
+TEST_F(Language, LoopsThatAUniformBoundsAreLongForLargeValues) {
+    folder.write("rounds.frag",
+                 "uniform int uN, uColor;\nvoid main() { float x = 0.; for (int i = 0; i < uN; ++i) x += .1; "
+                 "gl_FragColor = vec4(x, float(uColor), 0., 1.); }\n");
+    auto document = open("Vertex plain.vert\nFragment rounds.frag\nProgram P uN 5 uColor 100000\nQuadXY\n");
+    ASSERT_TRUE(document->runtime);
+    const auto with = [&](double rounds) {
+        document->controls.find(0, "uN")->value = {rounds};
+        return document->runtime->long_loops(&document->controls);
+    };
+    EXPECT_TRUE(document->runtime->long_loops());
+    EXPECT_FALSE(with(5));
+    EXPECT_FALSE(with(256));
+    EXPECT_TRUE(with(257));
+    EXPECT_TRUE(with(-257));
+    EXPECT_TRUE(with(std::nan("")));
+}
+
 }  // namespace
 
 }  // namespace snell::test

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "src/app/picture/sheet.h"
@@ -12,6 +13,7 @@ namespace snell {
 namespace {
 
 constexpr double worth_compiling = 4;  // milliseconds of a frame
+constexpr double short_strip = 100;    // milliseconds, below which the next one is higher
 
 const Grain& grain_of(const Drawn& drawn) { return grains[static_cast<std::size_t>(drawn.grain)]; }
 
@@ -22,33 +24,37 @@ PixelSize coarse_size(const Drawn& drawn) {
 
 }  // namespace
 
-std::vector<double> values_of(const Controls& controls) {
-    std::vector<double> values;
-    for (const Control& control : controls.items)
-        values.insert(values.end(), control.value.begin(), control.value.end());
-    return values;
-}
-
-void set_values(Controls& controls, const std::vector<double>& values) {
-    auto next = values.begin();
-    for (Control& control : controls.items)
-        for (double& value : control.value)
-            if (next != values.end()) value = *next++;
-}
-
 // Time alone moves nothing: an animated scene is sharp unless the user drags something.
 bool Display::moved(const Drawn& next) const {
     const Stand &a = next.stand, &b = drawn_.stand;
     return a.width != b.width || a.height != b.height || a.view != b.view || a.values != b.values;
 }
 
+double Display::sharp_due() const {
+    if (strips_) return 0;
+    return runs_ ? std::numeric_limits<double>::infinity() : coarseness_.due();
+}
+
 bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
     next_ = std::move(next);
-    if (wanted.sharp || next_.revision != drawn_.revision || next_.rungs != drawn_.rungs ||
-        next_.showing != drawn_.showing)
-        coarseness_ = {};
+    const bool other =
+        next_.revision != drawn_.revision || next_.rungs != drawn_.rungs || next_.showing != drawn_.showing;
+    const bool moves = moved(next_);
+    // What moves by itself is sharp, unless nobody would see that it moves.
+    const bool runs = wanted.runs ? moves : !moves && next_.stand.time != drawn_.stand.time;
+    runs_ = runs && coarseness_.lasts();
+    const bool may_be_coarse = runs ? runs_ : moves;
+    if (wanted.sharp || other || (wanted.runs && runs && !may_be_coarse)) coarseness_ = {};
     if (std::exchange(held_, wanted.held) && !wanted.held) coarseness_.released();
-    next_.grain = wanted.sharp ? 0 : coarseness_.next(moved(next_), wanted.held, window_.now());
+    next_.grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
+    const bool lasts = document.runtime->long_loops();
+    ahead_ = !wanted.sharp && next_.grain == 0 && (other || moves || may_be_coarse) && lasts;
+    const bool strips =
+        lasts && next_.grain == 0 && drawn_.grain > 0 && !ahead_ && !wanted.again && coarseness_.lasts();
+    if (!strips)
+        strips_.reset();
+    else if (!strips_ || strips_->of != next_)  // as many pixels as the coarsest grain has in each
+        strips_ = {next_, 0, grains.back().part_of(grains.back().part_of(next_.stand.height))};
     if (wanted.again || next_ != drawn_ || !document.runtime->settled()) {
         const PixelSize size = coarse_size(next_);
         return canvases_.of(next_).resize(size.width, size.height, grain_of(next_).samples,
@@ -59,35 +65,72 @@ bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
 }
 
 void Display::draw_into(gl::Canvas& canvas, const Drawn& drawn, Document& document,
-                        const std::function<void(const Step&)>* after, float density) {
+                        const std::function<void(const Step&)>* after, float density,
+                        const std::optional<PixelRect>& part) {
     const Stand& stand = drawn.stand;
     const int divide = grain_of(drawn).divide;
     const PixelSize size = coarse_size(drawn);
     View view = stand.view;
     view.mouse_x /= divide;
     view.mouse_y /= divide;
-    Frame frame{stand.time, view, document.controls, true};
+    Frame frame{stand.time, view, document.controls, !part};
     frame.after = after;
     frame.enlarged = divide;
-    const Surface surface{canvas.framebuffer(), size.width, size.height};
+    frame.standing = part && part->bottom > 0;
+    const Surface surface{canvas.framebuffer(), size.width, size.height, part};
     document.runtime->draw(frame, surface);
-    if (drawn.object != none) document.runtime->outline(frame, surface, drawn.object, std::ceil(2 * density / divide));
+    if (part && part->bottom + part->height < size.height) return gl::finish();
+    if (drawn.object != none)
+        document.runtime->outline(frame, {canvas.framebuffer(), size.width, size.height}, drawn.object,
+                                  std::ceil(2 * density / divide));
     canvas.resolve();
     gl::finish();
 }
 
-void Display::draw(Document& document, const std::function<void(const Step&)>* after, float density) {
+bool Display::draw_ahead(Document& document, float density) {
+    Drawn coarse = next_;
+    coarse.grain = coarsest;
+    const PixelSize size = coarse_size(coarse);
+    if (!canvases_.coarse.resize(size.width, size.height, grain_of(coarse).samples, document.runtime->display_pixels()))
+        return false;
     const double start = window_.now();
-    draw_into(canvases_.of(next_), next_, document, after, density);
+    draw_into(canvases_.coarse, coarse, document, nullptr, density);
+    const double end = window_.now();
+    if (!coarseness_.foresaw((end - start) * 1e3, end)) return false;
+    next_.grain = coarsest;
+    return true;
+}
+
+bool Display::draw_strip(Document& document, float density) {
+    Strips& strips = *strips_;
+    const int height = next_.stand.height, rows = std::min(strips.next, height - strips.rows);
+    const double start = window_.now();
+    draw_into(canvases_.sharp, next_, document, nullptr, density, PixelRect{0, strips.rows, next_.stand.width, rows});
+    const double ms = (window_.now() - start) * 1e3;
+    strips.ms += ms;
+    strips.rows += rows;
+    if (ms < short_strip) strips.next *= 2;
+    return strips.rows >= height;
+}
+
+bool Display::draw(Document& document, const std::function<void(const Step&)>* after, float density) {
+    double start = window_.now();
+    const bool ahead = ahead_ && !after && draw_ahead(document, density);
+    if (ahead_ && !ahead) start = window_.now();
+    const bool strip = strips_ && !after, whole = !strip || draw_strip(document, density);
+    if (!ahead && !strip) draw_into(canvases_.of(next_), next_, document, after, density);
     lost_ = loss_.lost();
-    if (lost_) return;
+    if (lost_ || !whole) return false;
     last_picture_ = start;
-    counters_.frame_ms = (window_.now() - start) * 1e3;
+    counters_.frame_ms = strip ? strips_->ms : (window_.now() - start) * 1e3;
+    strips_.reset();
     counters_.time = next_.stand.time;
     counters_.grain = next_.grain;
     ++counters_.frames;
-    coarseness_.drew(counters_.frame_ms);
+    if (next_.grain > 0) ++counters_.coarse;
+    if (!ahead) coarseness_.drew(counters_.frame_ms);
     drawn_ = std::move(next_);
+    return true;
 }
 
 bool Display::draw_beside(Drawn next, Document& document, float density) {

@@ -34,15 +34,13 @@ struct Drawn {
 struct Wanted {
     bool held = false;   // a mouse button is down, so that changes are a drag, in which pictures may be coarse
     bool sharp = false;  // never coarse
+    bool runs = false;   // values change by themselves
     bool again = false;  // even if nothing changed
 };
 
-// The values of all controls, in their order.
-std::vector<double> values_of(const Controls& controls);
-void set_values(Controls& controls, const std::vector<double>& values);
-
 struct WindowCounters {
     std::uint64_t frames = 0;    // number of pictures of the scene that were drawn
+    std::uint64_t coarse = 0;    // those of them that were not sharp
     std::uint64_t presents = 0;  // number of times that the window's contents were replaced
     double time = 0;             // of the last picture, in seconds
     double frame_ms = 0;
@@ -58,10 +56,12 @@ public:
     // Returns false if that would be the last picture again, or if the context refuses its size. Otherwise draw() must
     // follow.
     bool prepare(Drawn next, Document& document, const Wanted& wanted);
-    // When a sharp picture is due if nothing moves, by the clock of the window; infinite if the picture is sharp.
-    double sharp_due() const { return coarseness_.due(); }
-    // Draws the picture. `after` is that of Frame; `density` is pixels per window coordinate.
-    void draw(Document& document, const std::function<void(const Step&)>* after, float density);
+    // When a sharp picture is due if nothing moves, or its next strip, by the clock of the window; infinite if the
+    // picture is sharp, or moves by itself and is coarse because of that.
+    double sharp_due() const;
+    // Draws the picture, and returns true; if it is a sharp one that lasts, its next strip: it is shown once it is
+    // whole. `after` is that of Frame; `density` is pixels per window coordinate.
+    bool draw(Document& document, const std::function<void(const Step&)>* after, float density);
     // Draws what is right of the divider, which is as coarse, if it differs from its last picture. `next` is its
     // picture in the values of the other document. Returns true if it was drawn.
     bool draw_beside(Drawn next, Document& document, float density);
@@ -90,20 +90,35 @@ public:
 private:
     Window& window_;
     bool moved(const Drawn& next) const;
+    // Draws next_ as coarse as it gets. Returns true if this is the picture, because a sharp one may take too long.
+    bool draw_ahead(Document& document, float density);
     // The last picture is in one of them, see Drawn::grain.
     struct Canvases {
         gl::Canvas sharp, coarse;
         gl::Canvas& of(const Drawn& drawn) { return drawn.grain > 0 ? coarse : sharp; }
         const gl::Canvas& of(const Drawn& drawn) const { return drawn.grain > 0 ? coarse : sharp; }
     };
+    // A sharp picture that is drawn strip by strip, from the bottom.
+    struct Strips {
+        Drawn of;
+        int rows = 0, next = 0;  // that are drawn; of the next strip
+        double ms = 0;
+    };
+    // `part`: only that; parts come in order, and the top ends the picture.
     void draw_into(gl::Canvas& canvas, const Drawn& drawn, Document& document,
-                   const std::function<void(const Step&)>* after, float density);
+                   const std::function<void(const Step&)>* after, float density,
+                   const std::optional<PixelRect>& part = {});
+    // Draws the next strip of next_. Returns true if it was the last one.
+    bool draw_strip(Document& document, float density);
 
     Canvases canvases_, beside_;
     Drawn drawn_beside_;
     Coarseness coarseness_;
-    bool held_ = false;  // a mouse button was down at the last picture
+    bool held_ = false;   // a mouse button was down at the last picture
+    bool runs_ = false;   // it is coarse because it moves by itself
+    bool ahead_ = false;  // nobody knows how long next_ takes
     Drawn drawn_, next_;
+    std::optional<Strips> strips_;
     WindowCounters counters_;
     app::LossWatch loss_;
     bool lost_ = false;

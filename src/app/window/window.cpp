@@ -385,7 +385,7 @@ bool App::look() {
 
 bool App::specialise() {
     Document* document = shown_document();
-    if (interface_.memory().animating()) return false;  // the values are others in every frame
+    if (interface_.memory().animating() || !std::isinf(display_.sharp_due())) return false;  // they are not seen yet
     if (specialised_ || !options_.specialise || !document || window_->now() < touched_ + until_still) return false;
     hang_.begin("compiling programs for the values as they are");
     specialised_ = !display_.specialise(*document);
@@ -551,7 +551,7 @@ bool App::draw_scene() {
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
                       document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
     const bool held = interface_.pressed();
-    const Wanted wanted{held, memory.always_sharp || (memory.animating() && !held), measuring_.wants_picture()};
+    const Wanted wanted{held, memory.always_sharp, memory.animating() && !held, measuring_.wants_picture()};
     const std::string drawing = "drawing a frame of " + workspace_.name();
     measuring_.prepare(document, session, memory.accuracy);
     Document& shown = measuring_.shown(document);
@@ -573,9 +573,9 @@ bool App::draw_scene() {
     if (!display_.prepare({revision, stand, document.controls.rungs, showing, object}, shown, wanted))
         return draw_beside();
     hang_.begin(drawing);
-    display_.draw(shown, measuring_.begin_picture(revision + (showing << 32U)), density);
+    const bool whole = display_.draw(shown, measuring_.begin_picture(revision + (showing << 32U)), density);
     hang_.rest();
-    if (lost()) return false;
+    if (!whole) return false;
     measuring_.end_picture(display_.counters().frame_ms);
     draw_beside();
     if (&shown == &document) session.drawn_well();

@@ -118,6 +118,7 @@ void write_window_state(const std::string& file, const std::string& answered, co
                         const ui::Facts& measured, PixelSize size) {
     Session& session = workspace.session();
     json state{{"frames", counters.frames},
+               {"coarse", counters.coarse},
                {"answered", answered},
                {"undo", workspace.past().steps()},
                {"presents", counters.presents},

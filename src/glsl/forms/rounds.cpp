@@ -1,7 +1,7 @@
-// Loops that may never end, for browsers, which would stand still with them. Where nothing in the text shows that the
+// How often loops go round, as far as the text tells, and which uniforms that depends on: as long as these are small, no
+// picture takes long. For browsers, which would stand still with loops that never end: where nothing shows that the
 // loops of a stage are left after few rounds, they count their rounds together, as Mesa's llvmpipe counts those of all
-// loops, and are left as soon as there are most_rounds. Which uniforms bound them is found besides: as long as these
-// are small, no picture takes long.
+// loops, and are left as soon as there are most_rounds.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,6 +21,7 @@ namespace snell::glsl {
 namespace {
 
 constexpr double many = 4096;  // in all loops of a stage
+constexpr double few = 512;    // a large picture takes seconds with more, where processors draw it
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
 // Least and most of what an expression may be.
@@ -32,21 +33,22 @@ struct Range {
 
 class Rounds {
 public:
-    explicit Rounds(Unit& unit) : u_(unit) {}
+    // `bounded`: loops count.
+    Rounds(Unit& unit, bool bounded) : u_(unit), bounded_(bounded) {}
 
     std::optional<LongLoops> run() {
         if (mentions(u_, "snell_round")) return LongLoops{};  // translated before
         const double rounds = of_function("main");
-        if (counts_)
+        if (counts_ && bounded_)
             u_.header += fmt::format(
                 "highp int snell_Rounds = 0;\nhighp int snell_round(highp int n) "
                 "{{ return snell_Rounds += snell_Rounds < {} ? n : 0; }}\n",
                 most_rounds);
         if (!counts_ && rounds < many) return std::nullopt;
         LongLoops found;
-        for (largest_ = many; largest_ >= 1 && found.up_to < 0; largest_ = *largest_ / 2) {
+        for (largest_ = few; largest_ >= 1 && found.up_to < 0; largest_ = *largest_ / 2) {
             functions_.clear();
-            if (of_function("main") < many) found.up_to = *largest_;
+            if (of_function("main") < few) found.up_to = *largest_;
         }
         if (found.up_to > 0) found.bounds.assign(bounds_.begin(), bounds_.end());
         return found;
@@ -191,6 +193,7 @@ private:
         const std::vector<int> all = parts(loop);
         if (all.size() != (at(loop).text == "for" ? 4 : 2)) return;  // not understood
         counts_ = true;
+        if (!bounded_) return;
         const Node& test = at(all[at(loop).text == "while" ? 0 : 1]);
         const std::string few = fmt::format("snell_round({}) < {}", weight, most_rounds);
         if (test.form == Form::empty) {
@@ -208,7 +211,7 @@ private:
     void before(int token, const std::string& text) { u_.edit(token).before.insert(0, text); }
 
     Unit& u_;
-    bool counts_ = false;
+    bool bounded_, counts_ = false;
     std::map<std::string_view, double> functions_;
     std::optional<double> largest_;  // magnitude of uniforms; none: they are not known, and loops are made to count
     std::set<std::string> bounds_;
@@ -216,6 +219,8 @@ private:
 
 }  // namespace
 
-std::optional<LongLoops> bound_loops(Unit& unit) { return unit.tree ? Rounds(unit).run() : std::nullopt; }
+std::optional<LongLoops> long_loops(Unit& unit, bool bounded) {
+    return unit.tree ? Rounds(unit, bounded).run() : std::nullopt;
+}
 
 }  // namespace snell::glsl

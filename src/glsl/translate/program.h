@@ -25,7 +25,7 @@ struct Program {
     std::vector<LegacyVarying> legacy_varyings;  // set by replace_legacy where lines are widened
     std::vector<DeclaredUniform> declared = {};
     std::vector<Settled> settled = {};  // those of Options::settle that decide something
-    std::map<Stage, Tree> trees = {};   // of the stages that have loops, where these may have to count
+    std::map<Stage, Tree> trees = {};   // of the stages whose loops are asked about
 
     const Target& target() const { return options.target; }
     Unit* find(Stage stage) {
@@ -130,8 +130,8 @@ void choose_settled(Program& program);
 void resolve_marks(Program& program);
 // What settled uniforms decide is written as this, its value, " : ", the expression, and ")".
 inline constexpr std::string_view decided_text = "(true ? ";
-// Loops that may never end are left after most_rounds; after resolve_marks. Returns one of Translation::long_loops.
-std::optional<LongLoops> bound_loops(Unit& unit);
+// One of Translation::long_loops; after resolve_marks. `bounded`: loops that may never end are left after most_rounds.
+std::optional<LongLoops> long_loops(Unit& unit, bool bounded);
 // As Options::constant says; Program::settled has it if every stage does.
 void write_constant(Program& program);
 // The function that marks call, for each type that it takes: snell_divisor or snell_value.

@@ -39,7 +39,9 @@ bool is_loop(const Token& t) { return t.text == "for" || t.text == "while"; }
 
 void parse(Program& program) {
     for (Unit& u : program.units) {
-        if (program.target().es && ranges::any_of(u.tokens, is_loop)) u.tree = &program.trees[u.stage];
+        // Only OpenGL ES has loops of other stages count, and pictures of fewer pixels take the time of those as well.
+        const bool asked = program.target().es || u.stage == Stage::fragment;
+        if (asked && ranges::any_of(u.tokens, is_loop)) u.tree = &program.trees[u.stage];
         Parser(u, program.target(), program.diagnostics, program.options.settle != nullptr).run();
     }
 }
@@ -179,7 +181,7 @@ Translation translate(const std::vector<StageInput>& stages, Sources& sources, c
             out.stages.push_back({Stage::geometry, *lines, {sources.add("<built-in geometry shader>", *lines)}});
         declare_functions(program, u);
         copy_assigned(program, u);
-        if (auto loops = bound_loops(u)) out.long_loops.push_back(std::move(*loops));
+        if (auto loops = long_loops(u, options.target.es)) out.long_loops.push_back(std::move(*loops));
         move_initialisers(program, u);
         write_declarations(program, u);
         if (options.target.es) add_precision(u);

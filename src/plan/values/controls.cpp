@@ -459,6 +459,13 @@ std::vector<double> values_of(const Controls& controls) {
     return values;
 }
 
+void set_values(Controls& controls, const std::vector<double>& values) {
+    auto next = values.begin();
+    for (Control& control : controls.items)
+        for (double& value : control.value)
+            if (next != values.end()) value = *next++;
+}
+
 bool same_uniforms(const Controls& a, const Controls& b) {
     return ranges::equal(a.items, b.items, [](const Control& x, const Control& y) {
         return x.program == y.program && x.name == y.name && x.active == y.active && x.value.size() == y.value.size();

@@ -73,6 +73,7 @@ void reset(Control& control, std::size_t component);
 
 // All of them, in their order.
 std::vector<double> values_of(const Controls& controls);
+void set_values(Controls& controls, const std::vector<double>& values);
 
 // True if both hold the same uniforms at the same places: an index into the one means the same in the other.
 bool same_uniforms(const Controls& a, const Controls& b);
