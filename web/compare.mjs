@@ -131,12 +131,13 @@ const bundle = await build({
             const looks = ${what === 'looks'}, longest = 5000;
             const frame = looks ? { time: 0, width: 960, height: 640 } : { time: 0, width: 256, height: 256 };
             const pixel = new Uint8Array(4);
-            // So many frames, while the view is turned; returns when the graphics have finished the last one.
-            globalThis.frames = (name, count) => {
+            // So many frames, while the view is turned or a value moves; returns when the graphics have finished the last one.
+            globalThis.frames = (name, count, slides) => {
                 const { engine, gl } = engines[name];
                 const begun = performance.now();
                 for (let i = 0; i < count; ++i) {
-                    engine.turn(.5, 0, i === 0);
+                    if (slides) engine.set(0, 0, i / count);
+                    else engine.turn(.5, 0, i === 0);
                     if (looks && name === 'new') engine.foresee(frame, longest);
                     engine.draw(frame);
                     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
@@ -171,15 +172,15 @@ async function startFrames() {
 
 // What drivers make of a program in one context is a matter of luck, so that each round has contexts of its own.
 async function compareFrames(page, scene) {
-    const kinds = { frame: [], 'frame at rest': [] };
+    const kinds = what === 'looks' ? { turned: [], dragged: [] } : { frame: [], 'frame at rest': [] };
     let count = 0;
     for (let round = 0; round < rounds; ++round) {
         const { new: longLoops } = await inTurn(round, (name) => page.evaluate((name, scene) => start(name, scene), name, scene));
         if (what === 'looks' && !longLoops) return [];
-        const frames = (name) => page.evaluate((name, count) => frames(name, count), name, count);
         count ||= Math.max(1, Math.min(100, Math.ceil(200 / (await page.evaluate(() => frames('old', 1))))));
         for (const [kind, found] of Object.entries(kinds)) {
-            if (kind !== 'frame') await page.evaluate(() => ['old', 'new'].forEach(settled));
+            const frames = (name) => page.evaluate((...how) => frames(...how), name, count, kind === 'dragged');
+            if (kind === 'frame at rest') await page.evaluate(() => ['old', 'new'].forEach(settled));
             found.push(
                 await inTurn(round, async (name) => {
                     const { cpu, wall } = await measured(() => frames(name));

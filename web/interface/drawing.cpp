@@ -99,7 +99,7 @@ bool Drawing::settle(OpenScene& scene, const Moment& moment) {
 }
 
 double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
-    constexpr double surely = 8, spent = .03;  // times less than enough; a share of the time, while only the view moves
+    constexpr double surely = 8, spent = .02;  // times less than enough; a share of the time, while only the view moves
     Document& shown = *scene.document();
     const Document* reference = moment.split < 1 ? scene.reference(caps_) : nullptr;
     const auto may_be_long = [](const Document& one) { return one.runtime->long_loops(&one.controls); };
