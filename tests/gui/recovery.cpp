@@ -36,6 +36,18 @@ protected:
         for (std::size_t at = said.find(what); at != said.npos; at = said.find(what, at + 1)) ++count;
         return count;
     }
+    bool says(const std::string& words) const {
+        return wait([&](const nlohmann::json& state) {
+            return state["problems"].get<std::string>().find(words) != std::string::npos;
+        });
+    }
+    // Skips the test if the memory that ran out is OpenGL's.
+    void await_memory() const {
+        if (wait([](const nlohmann::json& state) { return !state.contains("controls"); })) return;
+        if (state()["problems"].get<std::string>().find("[out-of-graphics-memory]") != std::string::npos)
+            GTEST_SKIP() << "the memory that ran out is OpenGL's";
+        FAIL() << bytes("out/errors");
+    }
     static constexpr Pixel red{255, 0, 0}, green{0, 255, 0};
 };
 
@@ -119,6 +131,10 @@ TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
                            loops("60000", "uPaint.r") + "  gl_FragColor = vec4(x);\n}\n");
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }));
     EXPECT_TRUE(alive());
+    EXPECT_TRUE(says("a frame of scene.glib did not end, and"));
+    user("key F5");
+    EXPECT_TRUE(says("a frame of scene.glib did not end in try 2, and"));
+    EXPECT_EQ(restarts(), 2U);
     save("paint.frag", paint("uPaint.grb"));
     EXPECT_TRUE(shows(green)) << "an edit of the shader alone is another try";
 }
@@ -212,23 +228,34 @@ TEST_F(Recovery, MemoryThatRunsOutStartsTheWindowAgain) {
     limit_memory(std::size_t{350} << 20);
     drag(on("Paint.uRed", .2), on("Paint.uRed", .7));
     const nlohmann::json before = state();
-    save("scene.glib", fine + "Sphere 1 3000 3000\nSphere 2 3000 3000\nTorus .2 1 3000 3000\n");
-    if (!wait([](const nlohmann::json& state) { return !state.contains("controls"); })) {
-        if (state()["problems"].get<std::string>().find("[out-of-graphics-memory]") != std::string::npos)
-            GTEST_SKIP() << "the memory that ran out is OpenGL's";
-        FAIL() << bytes("out/errors");
-    }
+    const std::string much = fine + "Sphere 1 3000 3000\nSphere 2 3000 3000\nTorus .2 1 3000 3000\n";
+    save("scene.glib", much);
+    await_memory();
+    if (IsSkipped() || HasFatalFailure()) return;
     settle();
-    const std::string problems = state()["problems"];
-    EXPECT_NE(problems.find("[out-of-memory]"), std::string::npos) << problems;
+    EXPECT_TRUE(says("memory ran out while reading scene.glib, and"));
     // F5 without an edit: the same again, and nothing is lost by it.
     std::filesystem::remove(file("out/state.json"));
     user("key F5");
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; })) << bytes("out/errors");
     EXPECT_EQ(restarts(), 2U) << bytes("out/errors");
+    EXPECT_TRUE(says("memory ran out in try 2 while reading scene.glib, and"));
     save("scene.glib", fine);
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0 && state["frames"] > 0; }));
     settle();
+    EXPECT_EQ(state()["controls"], before["controls"]);
+    // Another scene that is too much is named, and leaves this one as it was.
+    save("much.glib", much);
+    ASSERT_TRUE(drop_files(display_, {file("much.glib")}));
+    await_memory();
+    if (IsSkipped() || HasFatalFailure()) return;
+    settle();
+    EXPECT_TRUE(says("memory ran out while reading much.glib, and"));
+    EXPECT_TRUE(says("F5 or another edit shows scene.glib again, with the values"));
+    user("mousemove 200 300 key F5");
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0 && state["frames"] > 0; }));
+    settle();
+    EXPECT_EQ(state()["file"], file("scene.glib"));
     EXPECT_EQ(state()["controls"], before["controls"]);
 }
 

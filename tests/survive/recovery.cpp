@@ -228,6 +228,8 @@ TEST(RestartedWindow, TriesAgainWhatWasSavedMeanwhile) {
 
 TEST(Carried, IsTextAndBack) {
     Carried carried{"odd \xE9\n.glib", {nullptr, {"a b", "\n", "c"}, "--set P.uA=0.5\n", {}}, {}, {640, 480}, .1};
+    carried.reading = "much.glib";
+    carried.tries = 2;
     carried.view.scene.rotate_x = 1. / 3;
     carried.view.objects[2].x = -.7;
     carried.view.axes = false;
@@ -238,6 +240,8 @@ TEST(Carried, IsTextAndBack) {
     EXPECT_EQ(back.view, carried.view);
     EXPECT_EQ(back.size, carried.size);
     EXPECT_EQ(back.time, carried.time);
+    EXPECT_EQ(back.reading, carried.reading);
+    EXPECT_EQ(back.tries, carried.tries);
     const Carried none = read_carried("");
     EXPECT_EQ(none.scene + none.recovery.values, "");
     EXPECT_TRUE(none.view.axes) << "as in a window that is opened";

@@ -47,10 +47,9 @@ bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
     if (wanted.sharp || other || (wanted.runs && runs && !may_be_coarse)) coarseness_ = {};
     if (std::exchange(held_, wanted.held) && !wanted.held) coarseness_.released();
     next_.grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
-    const bool lasts = document.runtime->long_loops();
-    ahead_ = !wanted.sharp && next_.grain == 0 && (other || moves || may_be_coarse) && lasts;
-    const bool strips =
-        lasts && next_.grain == 0 && drawn_.grain > 0 && !ahead_ && !wanted.again && coarseness_.lasts();
+    const bool may_last = !wanted.sharp && next_.grain == 0 && document.runtime->long_loops(&document.controls);
+    ahead_ = may_last && (other || moves || may_be_coarse);
+    const bool strips = may_last && !ahead_ && drawn_.grain > 0 && !wanted.again && coarseness_.lasts();
     if (!strips)
         strips_.reset();
     else if (!strips_ || strips_->of != next_)  // as many pixels as the coarsest grain has in each

@@ -411,8 +411,9 @@ void App::keep_picture() {
 }
 
 void App::reload() {
-    restart_.trying();
+    restart_.trying(workspace_.session().path());
     workspace_.reload(interface_.view(), interface_.memory());
+    kept_frame_ = 0;  // where nothing new is shown, that is kept as before
     measuring_.leave();
     settle(until_equal);
 }
@@ -420,7 +421,9 @@ void App::reload() {
 void App::show_scene(const std::optional<std::string>& path) {
     if (!path) return;
     keep_picture();
+    restart_.trying(*path);
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
+        kept_frame_ = 0;
         interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }

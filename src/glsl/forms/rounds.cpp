@@ -1,5 +1,5 @@
-// How often loops go round, as far as the text tells, and which uniforms that depends on: as long as these are small, no
-// picture takes long. For browsers, which would stand still with loops that never end: where nothing shows that the
+// How often loops go round, as far as the text tells, and which uniforms that depends on: as long as these are small,
+// no picture takes long. For browsers, which would stand still with loops that never end: where nothing shows that the
 // loops of a stage are left after few rounds, they count their rounds together, as Mesa's llvmpipe counts those of all
 // loops, and are left as soon as there are most_rounds.
 #include <fmt/format.h>

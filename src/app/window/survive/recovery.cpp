@@ -145,8 +145,9 @@ Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> f
 // Parts are separated by 0, the only byte that names of files cannot hold.
 std::string carried_text(const Carried& carried) {
     const auto [width, height] = carried.size;
-    std::string text = fmt::format("{} {} {}", width, height, carried.time);
-    for (const std::string& part : {setup_text(setup_of(carried.view)), carried.recovery.values, carried.scene})
+    std::string text = fmt::format("{} {} {} {}", width, height, carried.time, carried.tries);
+    for (const std::string& part :
+         {setup_text(setup_of(carried.view)), carried.recovery.values, carried.scene, carried.reading})
         text.append(1, '\0').append(part);
     for (const std::string& file : carried.recovery.files) text.append(1, '\0').append(file);
     return text;
@@ -156,14 +157,15 @@ Carried read_carried(const std::string& text) {
     std::vector<std::string> parts;
     for (std::size_t at = 0; at < text.size(); at += parts.back().size() + 1) parts.emplace_back(text.c_str() + at);
     Carried carried;
-    carried.view.axes = parts.size() < 4;
-    if (parts.size() < 4) return carried;
+    carried.view.axes = parts.size() < 5;
+    if (parts.size() < 5) return carried;
     auto& [width, height] = carried.size;
-    std::sscanf(parts[0].c_str(), "%d %d %lf", &width, &height, &carried.time);
+    std::sscanf(parts[0].c_str(), "%d %d %lf %d", &width, &height, &carried.time, &carried.tries);
     apply_setup(read_setup(parts[1]), carried.view);
     carried.recovery.values = parts[2];
     carried.scene = parts[3];
-    carried.recovery.files.assign(parts.begin() + 4, parts.end());
+    carried.reading = parts[4];
+    carried.recovery.files.assign(parts.begin() + 5, parts.end());
     return carried;
 }
 
@@ -180,6 +182,10 @@ std::vector<std::string> own_arguments() {
     for (std::size_t at = 0; at < text.size(); at = text.find('\0', at) + 1) arguments.emplace_back(text.c_str() + at);
     std::erase_if(arguments, [](const std::string& argument) { return argument.starts_with(after_flag); });
     return arguments;
+}
+
+std::string name_of(const std::string& scene) {
+    return utf8::printable(std::filesystem::path(scene).filename().string());
 }
 
 int new_memory() { return memfd_create("snell", MFD_CLOEXEC); }
@@ -217,6 +223,7 @@ Restart::Restart(std::string after)
     }
     after_hang_.push_back(nullptr);
     after_memory_.push_back(nullptr);
+    kept_ = read_carried(after_.empty() ? "" : content::whole_file(fmt::format("/proc/self/fd/{}", memory_)));
     of_this_process = this;
     before_ = std::set_new_handler(out_of_memory);
 }
@@ -229,45 +236,55 @@ Restart::~Restart() {
 
 std::optional<Carried> Restart::carried() const {
     if (after_.empty()) return std::nullopt;
-    Carried carried = read_carried(content::whole_file(fmt::format("/proc/self/fd/{}", memory_)));
+    Carried carried = kept_;
     struct stat memory {};
     fstat(memory_, &memory);
     for (const std::string& file : carried.recovery.files)
         carried.recovery.edited = carried.recovery.edited || saved_since(file, memory.st_mtim);
-    const char* comes_back =
-        carried.recovery.values.empty() ? "" : ", with the values that were set manually, as last drawn";
+    const bool of_another = !carried.reading.empty() && carried.reading != carried.scene;
+    const std::string again = fmt::format(
+        "F5 or another edit {}{}", of_another ? fmt::format("shows {} again", name_of(carried.scene)) : "tries again",
+        carried.recovery.values.empty() ? "" : ", with the values that were set manually, as last drawn");
+    const std::string in_try = carried.tries > 0 ? fmt::format(" in try {}", carried.tries + 1) : "";
     Diagnostic& problem = carried.recovery.problem;
     problem.has_span = false;
     if (after_.starts_with(of_memory)) {
         problem.code = "out-of-memory";
-        problem.message = "memory ran out, and the window was started again; nothing is drawn";
-        problem.help = fmt::format("F5 or another edit tries again{}; --limit asks for less", comes_back);
+        problem.message = fmt::format("memory ran out{}{}, and the window was started again; nothing is drawn", in_try,
+                                      carried.reading.empty() ? "" : " while reading " + name_of(carried.reading));
+        problem.help = (of_another && carried.scene.empty() ? "" : again + "; ") + "--limit asks for less";
     } else {
         problem.code = "frame-too-long";
-        const std::string name = utf8::printable(std::filesystem::path(carried.scene).filename().string());
-        problem.message = fmt::format("a frame{} did not end, and the window was started again; nothing is drawn",
-                                      name.empty() ? "" : " of " + name);
-        problem.help = fmt::format(
-            "a loop in a shader may not end; F5 or another edit tries again{}; --timeout SECONDS waits longer",
-            comes_back);
+        problem.message = fmt::format("a frame{} did not end{}, and the window was started again; nothing is drawn",
+                                      carried.scene.empty() ? "" : " of " + name_of(carried.scene), in_try);
+        problem.help = fmt::format("a loop in a shader may not end; {}; --timeout SECONDS waits longer", again);
     }
     return carried;
 }
 
-// The modification time of the memory file is that of the last try.
-void Restart::trying() {
-    worth_it_ = true;
-    futimens(memory_, nullptr);
-}
-
-// The new text replaces the old one at once, so that a restart never finds half of it.
-void Restart::keep(const Carried& carried, bool worth_it) {
-    const std::string text = carried_text(carried);
+// The new text replaces the old one at once, so that a restart never finds half of it. The modification time of the
+// memory file is that of the last try.
+void Restart::store() const {
+    const std::string text = carried_text(kept_);
     const int fresh = new_memory();
     if (fresh < 0 || memory_ < 0) return;
     if (write(fresh, text.data(), text.size()) == static_cast<ssize_t>(text.size())) dup3(fresh, memory_, O_CLOEXEC);
     close(fresh);
-    if (worth_it) worth_it_ = true;
+}
+
+void Restart::trying(const std::string& scene) {
+    worth_it_ = true;
+    const bool same = scene == (kept_.reading.empty() ? kept_.scene : kept_.reading);
+    kept_.tries = drawn_ || !same ? 0 : kept_.tries + 1;
+    kept_.reading = scene;
+    store();
+}
+
+void Restart::keep(Carried carried, bool drawn) {
+    carried.tries = drawn ? 0 : kept_.tries;
+    kept_ = std::move(carried);
+    store();
+    if (drawn) worth_it_ = drawn_ = true;
 }
 
 app::Deadline Restart::hang_watch(double seconds) const {

@@ -80,6 +80,8 @@ struct Carried {
     std::pair<int, int> size;  // of the window
     double time = 0;           // of the scene
     ui::Failures failures;     // that are not answered; only within the process
+    std::string reading;       // the scene that was read since then; "": none
+    int tries = 0;             // before the last one, since something was drawn
 };
 
 // The state after a loss of the context; its problem tells the user what happened.
@@ -104,11 +106,13 @@ public:
 
     // The state that a restarted window begins with.
     std::optional<Carried> carried() const;
-    // Stores the state for the next window, if there will be one. `worth_it`: also where memory runs out.
-    void keep(const Carried& carried, bool worth_it = true);
-    // Tells that the scene is about to be read again. If memory runs out before this call and before a state is kept,
-    // the program ends, because it would restart over and over. Files that are saved from now on count as another edit.
-    void trying();
+    // Stores the state for the next window, if there will be one. `drawn`: something was, so that the window is worth a
+    // restart where memory runs out.
+    void keep(Carried carried, bool drawn = true);
+    // Tells that a scene is about to be read, or read again. If memory runs out before this call and before a state is
+    // kept, the program ends, because it would restart over and over. Files that are saved from now on count as another
+    // edit.
+    void trying(const std::string& scene);
 
     // Watches frames: if one takes longer than that many seconds, the window is restarted, which also ends threads that
     // do not return.
@@ -116,6 +120,7 @@ public:
 
 private:
     enum class Cause { hang, memory };
+    void store() const;
     // Neither function allocates memory. They return if this system cannot restart.
     void start(Cause cause) const;
     static void out_of_memory();
@@ -124,6 +129,8 @@ private:
     std::vector<std::string> arguments_;  // the last one is the value of "--after"
     std::vector<char*> after_hang_, after_memory_;
     int memory_ = -1;  // descriptor of the memory file
+    Carried kept_;     // what it holds
+    bool drawn_ = false;
     std::atomic<bool> worth_it_ = false;
     std::new_handler before_;
 };
