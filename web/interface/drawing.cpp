@@ -57,6 +57,7 @@ void draw_both(OpenScene& scene, const gl::Caps& caps, const Moment& moment, int
 
 std::string Drawing::start(const std::string& canvas) {
     canvas_ = {};
+    ahead_ = {};
     context_.reset();
     std::string error;
     context_ = CanvasContext::make(canvas, error);
@@ -109,13 +110,16 @@ double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
     const double begun = now();
     if (values == looked_.values && looked_.whole * surely < enough && begun < looked_.again) return looked_.whole;
     looked_.values = std::move(values);
+    const gl::Pixels pixels = shown.runtime->display_pixels();
+    if (ahead_.pixels != pixels) ahead_ = {};
     looked_.whole = snell::foresee(moment.width, moment.height, enough, looked_.point, [&](int width, int height) {
         Moment small = moment;
         small.width = width;
         small.height = height;
-        std::string error;
         const double from = now();
-        picture(scene, small, 1, error);
+        if (ahead_.width != width || ahead_.height != height) ahead_ = gl::make_target(width, height, 1, pixels);
+        draw_both(scene, caps_, small, 0, {ahead_.framebuffer.get(), width, height});
+        gl::read_rgba8(ahead_.framebuffer.get(), 1, 1, 1, pixels);  // waits for it
         return (now() - from) * 1e3;
     });
     looked_.again = now() + (now() - begun) * (1 / spent - 1);

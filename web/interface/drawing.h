@@ -10,6 +10,7 @@
 #include "src/document/coarseness.h"
 #include "src/gl/caps.h"
 #include "src/gl/present.h"
+#include "src/gl/target.h"
 #include "src/platform/web/canvas.h"
 #include "web/interface/open_scene.h"
 
@@ -49,6 +50,7 @@ private:
     std::unique_ptr<CanvasContext> context_;
     gl::Caps caps_;
     gl::Canvas canvas_;
+    gl::Target ahead_;  // of pictures that are only timed
     Coarseness coarseness_;
     // Of the last picture.
     const Document* drawn_ = nullptr;
