@@ -13,8 +13,6 @@
 #include "parser/text/ranges.h"
 #include "src/content/process.h"
 #include "src/content/text_forms.h"
-#include "src/server/checks.h"
-#include "src/server/features.h"
 
 namespace snell::server {
 

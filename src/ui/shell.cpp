@@ -16,7 +16,6 @@
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/kit/widgets.h"
-#include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/panels.h"
 #include "src/ui/panels/pixels.h"
 #include "src/ui/panels/textures.h"

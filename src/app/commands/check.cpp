@@ -10,7 +10,7 @@
 #include "parser/read/parse.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
-#include "src/app/grade/facts.h"
+#include "src/app/grade/judge.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/headless.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 #include "src/ui/kit/lettering.h"
 
 namespace snell::app {

@@ -6,7 +6,7 @@
 
 #include "parser/text/words.h"
 #include "src/glsl/glsl.h"
-#include "src/glsl/read/legacy.h"
+#include "src/glsl/read/words.h"
 
 namespace snell::language {
 

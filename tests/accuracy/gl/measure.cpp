@@ -1,7 +1,7 @@
 // Measurements whose answers are known.
 #include <cmath>
 
-#include "src/accuracy/sweep.h"
+#include "src/accuracy/measure.h"
 #include "tests/accuracy/gl/common.h"
 
 namespace snell::test {
