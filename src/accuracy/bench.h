@@ -64,8 +64,6 @@ public:
     const Runtime& runtime();
     // For each draw, whether the shaders of its program mention the ladder.
     std::vector<bool> draws_of(std::size_t ladder) const;
-    // True if at least one shader can write directions.
-    bool has_directions() const { return directions_; }
 
     // Draws a picture; returns nullopt if the context cannot draw it, or `stop` ended it. `hidden` tells for each draw
     // whether it is left out.
