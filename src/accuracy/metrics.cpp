@@ -12,7 +12,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/content/image/image.h"
 
 namespace snell::accuracy {
 

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "parser/text/ranges.h"
-#include "src/content/process.h"
 #include "src/content/text_forms.h"
 
 namespace snell::server {

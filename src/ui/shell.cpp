@@ -13,7 +13,6 @@
 #include "src/plan/values/numbers.h"
 #include "src/plan/view.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/panels.h"

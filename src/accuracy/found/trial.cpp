@@ -7,7 +7,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/change.h"
-#include "src/accuracy/timing.h"
 #include "src/document/document.h"
 #include "src/gl/context.h"
 #include "src/gl/present.h"

@@ -19,7 +19,6 @@
 #include "src/app/picture/non_finite.h"
 #include "src/app/picture/outputs.h"
 #include "src/content/text_forms.h"
-#include "src/document/document.h"
 #include "src/lint/lint.h"
 #include "src/plan/plan.h"
 #include "src/plan/texts.h"

@@ -7,7 +7,6 @@
 #include "src/glsl/glsl.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
-#include "src/language/services.h"
 #include "src/language/shader/builtins.h"
 
 namespace snell::language {

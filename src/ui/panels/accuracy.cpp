@@ -12,7 +12,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/content/image/image.h"
-#include "src/content/plot/plot.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"

@@ -11,7 +11,6 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
-#include "src/accuracy/report/report.h"
 #include "src/content/image/image.h"
 
 namespace snell::accuracy {
