@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "src/document/document.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/platform/headless.h"
 
 // Any current context of OpenGL 3.3 or OpenGL ES 3 will do: here one without a window.

@@ -1,4 +1,4 @@
-#include "src/accuracy/sweep.h"
+#include "src/accuracy/measure.h"
 
 #include <fmt/format.h>
 

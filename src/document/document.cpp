@@ -10,7 +10,6 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/content/files.h"
-#include "src/gl/debug.h"
 #include "src/plan/locate.h"
 #include "src/plan/plan.h"
 

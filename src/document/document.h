@@ -12,7 +12,7 @@
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/plan/files.h"
 #include "src/plan/texts.h"
 #include "src/plan/values/controls.h"

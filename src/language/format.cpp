@@ -1,4 +1,4 @@
-#include "src/language/format.h"
+#include "src/language/services.h"
 
 #include <algorithm>
 #include <optional>

@@ -8,7 +8,6 @@
 #include "shaders/embedded.h"
 #include "src/glsl/read/lexer.h"
 #include "src/plan/locate.h"
-#include "src/plan/plan.h"
 
 namespace snell {
 

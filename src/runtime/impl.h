@@ -9,7 +9,6 @@
 
 #include "src/gl/target.h"
 #include "src/runtime/resources/mesh.h"
-#include "src/runtime/resources/patches.h"
 #include "src/runtime/resources/program.h"
 #include "src/runtime/resources/stages.h"
 #include "src/runtime/resources/state.h"

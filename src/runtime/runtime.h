@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "parser/text/diagnostic.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/gl/texels.h"
 #include "src/gl/texture.h"
 #include "src/plan/files.h"

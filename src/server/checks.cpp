@@ -1,4 +1,3 @@
-#include "src/server/checks.h"
 
 #include <array>
 #include <map>
@@ -8,7 +7,7 @@
 #include "parser/text/ranges.h"
 #include "src/content/text_forms.h"
 #include "src/lint/lint.h"
-#include "src/server/features.h"
+#include "src/server/server.h"
 
 namespace snell::server {
 

@@ -1,4 +1,4 @@
-#include "src/server/documents.h"
+#include "src/server/state.h"
 
 #include <algorithm>
 #include <filesystem>

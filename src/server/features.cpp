@@ -1,4 +1,3 @@
-#include "src/server/features.h"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +12,9 @@
 
 #include "parser/text/ranges.h"
 #include "src/content/text_forms.h"
-#include "src/language/format.h"
 #include "src/language/project.h"
 #include "src/language/services.h"
 #include "src/plan/values/write_back.h"
-#include "src/server/documents.h"
 #include "src/server/server.h"
 #include "src/server/state.h"
 

@@ -11,10 +11,7 @@
 #include <unistd.h>
 
 #include "parser/text/ranges.h"
-#include "src/content/process.h"
 #include "src/content/text_forms.h"
-#include "src/server/checks.h"
-#include "src/server/features.h"
 
 namespace snell::server {
 

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include <sys/types.h>
 
+#include "parser/text/diagnostic.h"
+#include "src/content/process.h"
 #include "src/server/state.h"
 #include "src/server/wire/messages.h"
 
@@ -67,5 +70,66 @@ Json watched_files();
 
 // Returns the exit status that the protocol asks for: 0 after "shutdown" and "exit", otherwise 1.
 int serve(Services services, int in, int out);
+
+// Requests and notices about texts.
+
+// Returns the result as JSON, nullopt if there is no such method. Throws a Failure, or nlohmann's exceptions for params
+// of a wrong shape.
+std::optional<std::string> feature(State& state, const std::string& method, const Json& params);
+
+// Notifications: the texts that are open, and what changes on disk.
+
+// What may have changed the text `uri`, or any text, could not be read: the user is told, and nothing is said of such a
+// text, or answered about it, until the editor sends it whole.
+void lose(State& state, const std::optional<std::string>& uri, const std::string& why);
+// Unknown ones are passed over.
+void notice(State& state, const std::string& method, const Json& params);
+
+// The actions for those of `diagnostics`, as they were published, that touch the range of a textDocument/codeAction
+// request.
+Json code_actions(const Json& diagnostics, const Json& params);
+
+// Fixes are tried before they are offered.
+
+// Takes the fixes away that do not make their diagnostic go, or that bring a new one as severe, by what `check` says of
+// the texts with the fix. Fixes for which there was no time are taken away too.
+void keep_good_fixes(Checked& checked, const Access& access, const std::function<Checked(const Access&)>& check);
+
+// Diagnostics of the open scenes, in the background: first those that need no driver, after a rest the driver's too.
+// Editors take them file by file.
+
+class Checks {
+public:
+    explicit Checks(State& state) : state_(state) {}
+
+    // Ends what has become needless, takes what is done, and begins what is due.
+    void go_on();
+    int descriptor() const { return background_.descriptor(); }
+    // When go_on() has something to do, if nothing happens before.
+    Clock::time_point due() const;
+
+private:
+    struct Next {
+        Scene* scene = nullptr;
+        bool driver = false;
+        Clock::time_point at = Clock::time_point::max();
+    };
+    Next next() const;
+    Scene* current() const;
+    void begin(const Next& next);
+    void take(const std::string& result);
+    void publish();
+
+    State& state_;
+    content::Process background_;
+    std::string path_;  // of the scene that is being checked
+    bool driver_ = false;
+    Clock::time_point began_;
+};
+
+// An array of {uri, version, diagnostics}, one for each file of the sources; texts that are open have a version. What
+// has no place is said of the beginning of `scene`.
+Json published(const Diagnostics& diagnostics, const Sources& sources, const std::string& scene,
+               const Documents& documents, const Services& services, Encoding encoding);
 
 }  // namespace snell::server

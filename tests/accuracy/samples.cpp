@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/accuracy/reference.h"
-#include "src/accuracy/sweep.h"
+#include "src/accuracy/bench.h"
+#include "src/accuracy/measure.h"
 
 namespace snell::accuracy {
 namespace {

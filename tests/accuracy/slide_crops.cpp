@@ -1,11 +1,11 @@
 // The parts of pictures that a slide shows.
-#include "src/accuracy/report/slide/crops.h"
+#include "src/accuracy/report/slide/slide.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 
 #include "tests/accuracy/pictures.h"
 

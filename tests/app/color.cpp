@@ -1,5 +1,5 @@
 // Colours of messages: lines that belong to messages get some, and no line changes otherwise.
-#include "src/app/open/color.h"
+#include "src/app/open/complain.h"
 
 #include <gtest/gtest.h>
 

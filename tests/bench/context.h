@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 
 namespace snell::bench {
 

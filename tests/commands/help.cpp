@@ -1,7 +1,6 @@
 // What the command line explains: subcommands, commands, codes, and what shells complete.
 #include <gtest/gtest.h>
 
-#include "src/app/help/help.h"
 #include "src/app/help/program.h"
 #include "tests/cli/run.h"
 #include "tests/cli/terminal.h"

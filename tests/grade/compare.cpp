@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "src/accuracy/difference.h"
+#include "src/accuracy/metrics.h"
 
 namespace snell::test {
 

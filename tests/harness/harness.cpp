@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 
 namespace snell::test {
 

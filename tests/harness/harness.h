@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "src/document/document.h"
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 #include "src/gl/target.h"
 #include "src/plan/view.h"
 #include "src/platform/headless.h"

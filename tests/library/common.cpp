@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "shaders/embedded.h"
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 #include "src/gl/program.h"
 #include "src/gl/target.h"
 #include "tests/oracle/optics/cube.h"

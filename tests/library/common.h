@@ -13,7 +13,7 @@
 
 #include <glm/glm.hpp>
 
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 #include "src/gl/handle.h"
 #include "src/gl/texture.h"
 #include "src/platform/headless.h"

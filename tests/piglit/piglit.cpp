@@ -21,7 +21,7 @@
 
 #include <epoxy/gl.h>
 
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/gl/program.h"
 #include "src/glsl/glsl.h"
 #include "src/platform/headless.h"

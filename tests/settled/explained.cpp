@@ -6,23 +6,11 @@
 namespace snell::test {
 namespace {
 
-class Explained : public SettledTest {
+class Explained : public ImagesTest {
 protected:
     using Row = Explanation::SwitchedOff;
     using Kind = Explanation::Kind;
 
-    void SetUp() override {
-        SettledTest::SetUp();
-        for (int i = 0; i < 12; ++i)
-            folder.write("t" + std::to_string(i) + ".bmp",
-                         bmp(4, 4, std::vector<std::array<int, 3>>(16, {20 * i, 90, 30})));
-    }
-    std::string quad(std::string_view declarations, std::string_view body, std::string_view uniforms) {
-        folder.write("own.frag", "#version 330 compatibility\nin vec2 vST;\n" + std::string(declarations) +
-                                     "\nvoid main() {\n" + std::string(body) + "\n}\n");
-        return "Ortho -1 1 -1 1\nVertex plain.vert\nFragment own.frag\nProgram P " + std::string(uniforms) +
-               "\nQuadXY\n";
-    }
     static Explanation explain(Document& document) {
         while (document.runtime->find_switched_off()) continue;
         return document.runtime->explain();

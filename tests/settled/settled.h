@@ -33,4 +33,22 @@ protected:
     }
 };
 
+// With twelve images, t0.bmp to t11.bmp.
+class ImagesTest : public SettledTest {
+protected:
+    void SetUp() override {
+        SettledTest::SetUp();
+        for (int i = 0; i < 12; ++i)
+            folder.write("t" + std::to_string(i) + ".bmp",
+                         bmp(4, 4, std::vector<std::array<int, 3>>(16, {20 * i, 90, 30})));
+    }
+    // A quad over the whole picture, by a fragment shader.
+    std::string quad(std::string_view declarations, std::string_view body, std::string_view uniforms) {
+        folder.write("own.frag", "#version 330 compatibility\nin vec2 vST;\n" + std::string(declarations) +
+                                     "\nvoid main() {\n" + std::string(body) + "\n}\n");
+        return "Ortho -1 1 -1 1\nVertex plain.vert\nFragment own.frag\nProgram P " + std::string(uniforms) +
+               "\nQuadXY\n";
+    }
+};
+
 }  // namespace snell::test

@@ -4,21 +4,8 @@
 namespace snell::test {
 namespace {
 
-class SwitchedOff : public SettledTest {
+class SwitchedOff : public ImagesTest {
 protected:
-    void SetUp() override {
-        SettledTest::SetUp();
-        for (int i = 0; i < 12; ++i)
-            folder.write("t" + std::to_string(i) + ".bmp",
-                         bmp(4, 4, std::vector<std::array<int, 3>>(16, {20 * i, 90, 30})));
-    }
-    // A quad over the whole picture, by a fragment shader.
-    std::string quad(std::string_view declarations, std::string_view body, std::string_view uniforms) {
-        folder.write("own.frag", "#version 330 compatibility\n" + std::string(declarations) +
-                                     "\nin vec2 vST;\nvoid main() {\n" + std::string(body) + "\n}\n");
-        return "Ortho -1 1 -1 1\nVertex plain.vert\nFragment own.frag\nProgram P " + std::string(uniforms) +
-               "\nQuadXY\n";
-    }
     std::string two_cubes() {
         return "CubeMap 5 t0.bmp t1.bmp t2.bmp t3.bmp t4.bmp t5.bmp\n"
                "CubeMap 6 t6.bmp t7.bmp t8.bmp t9.bmp t10.bmp t11.bmp\n" +

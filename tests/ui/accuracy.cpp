@@ -1,7 +1,7 @@
 // The accuracy panel and the list of costs, judged by what becomes of the input and by the colours and numbers shown.
 #include "src/ui/panels/accuracy.h"
 
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 #include "src/ui/panels/panels.h"
 #include "tests/ui/screen.h"
 

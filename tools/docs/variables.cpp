@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "src/glsl/glsl.h"
-#include "src/glsl/read/legacy.h"
+#include "src/glsl/read/words.h"
 #include "tools/docs/generate.h"
 
 namespace snell::docs {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "src/app/picture/tiles.h"
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 
 namespace snell::web {
 

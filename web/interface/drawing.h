@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/document/coarseness.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
 #include "src/platform/web/canvas.h"

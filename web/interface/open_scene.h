@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "src/document/document.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/plan/setup.h"
 #include "src/plan/view.h"
 

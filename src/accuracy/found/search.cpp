@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
-#include "src/accuracy/found/change.h"
 #include "src/accuracy/found/trial.h"
 
 namespace snell::accuracy {

@@ -7,9 +7,8 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/found/change.h"
-#include "src/accuracy/timing.h"
 #include "src/document/document.h"
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 #include "src/gl/present.h"
 #include "src/plan/texts.h"
 

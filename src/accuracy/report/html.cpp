@@ -8,7 +8,7 @@
 #include "src/accuracy/costs.h"
 #include "src/accuracy/report/report.h"
 #include "src/content/html_page.h"
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 #include "src/content/plot/plot.h"
 #include "src/content/text_forms.h"
 

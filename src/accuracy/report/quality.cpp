@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "src/accuracy/report/report.h"
 #include "src/content/text_forms.h"
 
 namespace snell::accuracy {

@@ -14,7 +14,6 @@
 #include "src/accuracy/report/quality.h"
 #include "src/app/commands/options.h"
 #include "src/app/open/command_text.h"
-#include "src/app/open/complain.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/write_copy.h"
 #include "src/document/document.h"

@@ -11,7 +11,7 @@
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/accuracy/difference.h"
+#include "src/accuracy/metrics.h"
 #include "src/accuracy/report/report.h"
 #include "src/app/commands/options.h"
 #include "src/app/commands/subcommands.h"
@@ -23,7 +23,7 @@
 #include "src/app/picture/picture.h"
 #include "src/content/files.h"
 #include "src/content/text_forms.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/plan/locate.h"
 
 namespace snell::app {

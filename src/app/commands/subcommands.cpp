@@ -28,7 +28,7 @@
 #include "src/app/window/window.h"
 #include "src/content/replace.h"
 #include "src/document/document.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/plan/locate.h"
 #include "src/plan/setup.h"
 

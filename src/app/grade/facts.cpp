@@ -1,4 +1,4 @@
-#include "src/app/grade/facts.h"
+#include "src/app/grade/judge.h"
 
 #include <fmt/format.h>
 

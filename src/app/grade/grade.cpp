@@ -20,8 +20,6 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/grade/judge.h"
-#include "src/app/grade/submissions.h"
-#include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/progress.h"
 #include "src/content/files.h"

@@ -8,9 +8,9 @@
 
 #include "parser/commands/commands.h"
 #include "parser/text/words.h"
-#include "src/accuracy/difference.h"
-#include "src/app/grade/facts.h"
+#include "src/accuracy/metrics.h"
 #include "src/app/grade/grade.h"
+#include "src/app/grade/judge.h"
 #include "src/app/grade/rubric/table.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"

@@ -15,7 +15,6 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/grade/record.h"
-#include "src/app/grade/unpack.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/version.h"
 #include "src/content/files.h"

@@ -1,4 +1,4 @@
-#include "src/app/grade/unpack.h"
+#include "src/app/grade/submissions.h"
 
 #include <fmt/format.h>
 

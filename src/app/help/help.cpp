@@ -1,4 +1,3 @@
-#include "src/app/help/help.h"
 
 #include <algorithm>
 #include <cctype>

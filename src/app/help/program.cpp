@@ -18,8 +18,6 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/app/help/help.h"
-#include "src/app/open/color.h"
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/version.h"

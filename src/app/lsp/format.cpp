@@ -1,6 +1,6 @@
 // `snell format`: lays out the text of scenes.
-#include "src/language/format.h"
 #include "src/app/open/complain.h"
+#include "src/language/services.h"
 
 #include <fmt/format.h>
 

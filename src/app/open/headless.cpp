@@ -4,7 +4,7 @@
 
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 
 namespace snell::app {
 

@@ -10,7 +10,6 @@
 #include "src/content/files.h"
 #include "src/content/replace.h"
 #include "src/content/text_forms.h"
-#include "src/plan/setup.h"
 
 namespace snell {
 

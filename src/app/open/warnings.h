@@ -2,7 +2,7 @@
 #pragma once
 
 #include "src/document/document.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/plan/plan.h"
 
 namespace snell::app {

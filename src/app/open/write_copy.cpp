@@ -13,7 +13,6 @@
 #include "parser/text/words.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
-#include "src/document/document.h"
 
 namespace snell::app {
 

@@ -14,7 +14,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/page/page.h"
 #include "src/app/picture/outputs.h"

@@ -15,7 +15,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/app/open/complain.h"
 #include "src/app/open/headless.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/warnings.h"
@@ -25,7 +24,6 @@
 #include "src/content/image/image.h"
 #include "src/content/table.h"
 #include "src/content/text_forms.h"
-#include "src/document/document.h"
 #include "src/plan/plan.h"
 #include "src/plan/setup.h"
 #include "src/plan/texts.h"

@@ -15,7 +15,7 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/document/document.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/plan/files.h"
 #include "src/platform/headless.h"
 

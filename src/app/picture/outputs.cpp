@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"
-#include "src/app/open/complain.h"
 #include "src/app/picture/sheet.h"
 #include "src/content/files.h"
 #include "src/content/html_page.h"

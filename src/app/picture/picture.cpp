@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "src/document/document.h"
-#include "src/gl/target.h"
 #include "src/plan/locate.h"
 #include "src/runtime/inspect.h"
 

@@ -13,7 +13,7 @@
 #include "src/app/picture/tiles.h"
 #include "src/content/image/image.h"
 #include "src/content/image/png_write.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/gl/target.h"
 #include "src/plan/files.h"
 #include "src/runtime/runtime.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "src/content/image/reduced.h"
 #include "src/ui/kit/lettering.h"
 
 namespace snell::app {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "parser/text/limits.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/runtime/runtime.h"
 
 namespace snell::app {

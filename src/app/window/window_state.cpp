@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/content/replace.h"
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 #include "src/plan/setup.h"
 #include "src/runtime/inspect.h"
 

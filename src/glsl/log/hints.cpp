@@ -6,7 +6,6 @@
 
 #include "parser/text/words.h"
 #include "src/glsl/log/log.h"
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {

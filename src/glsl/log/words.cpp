@@ -7,7 +7,6 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/glsl/log/log.h"
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/lexer.h"
 #include "src/glsl/read/words.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "parser/text/number.h"
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
 

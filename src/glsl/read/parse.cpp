@@ -3,7 +3,6 @@
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
 

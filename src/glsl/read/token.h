@@ -16,7 +16,7 @@
 
 namespace snell::glsl {
 
-// What a stage computes, as code for a stack machine, which constants are followed through (translate/folding.h): the
+// What a stage computes, as code for a stack machine, which constants are followed through (translate/folding.cpp): the
 // light parser writes it while it reads.
 
 enum class Op : unsigned char {

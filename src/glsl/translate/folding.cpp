@@ -1,6 +1,6 @@
 // Constants are followed through the code of a stage without regard to the order of its statements: a variable may be
 // constant if one of its assignments is, and is surely a number if all of them are that number.
-#include "src/glsl/translate/folding.h"
+#include "src/glsl/translate/program.h"
 
 #include <algorithm>
 #include <cmath>

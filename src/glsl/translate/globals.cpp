@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "parser/text/ranges.h"
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 

@@ -2,7 +2,6 @@
 #include <map>
 #include <set>
 
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 

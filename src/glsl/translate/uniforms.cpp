@@ -10,7 +10,6 @@
 #include "parser/text/ranges.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
-#include "src/glsl/translate/folding.h"
 #include "src/glsl/translate/program.h"
 
 namespace snell::glsl {

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <map>
 
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
 

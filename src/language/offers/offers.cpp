@@ -5,10 +5,8 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/glsl/glsl.h"
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
-#include "src/language/services.h"
 #include "src/language/shader/builtins.h"
 
 namespace snell::language {

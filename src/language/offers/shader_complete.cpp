@@ -6,7 +6,6 @@
 #include <set>
 
 #include "parser/text/words.h"
-#include "src/glsl/read/legacy.h"
 #include "src/glsl/read/words.h"
 #include "src/language/offers/offers.h"
 #include "src/language/shader/builtins.h"

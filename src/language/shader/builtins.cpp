@@ -6,7 +6,6 @@
 
 #include "parser/text/words.h"
 #include "src/glsl/glsl.h"
-#include "src/glsl/read/legacy.h"
 
 namespace snell::language {
 

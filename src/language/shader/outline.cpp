@@ -5,7 +5,6 @@
 #include "parser/text/ranges.h"
 #include "src/glsl/read/lexer.h"
 #include "src/glsl/read/words.h"
-#include "src/language/shader/resolver.h"
 
 namespace snell::language {
 

@@ -99,5 +99,7 @@ struct Outline {
 };
 
 Outline read_outline(FileId file, std::string_view text);
+// The part of it that finds the declarations outside of directives, and what every name means (resolver.cpp).
+void resolve_names(Outline& outline);
 
 }  // namespace snell::language

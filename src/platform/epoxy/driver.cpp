@@ -3,7 +3,7 @@
 
 #include <epoxy/gl.h>
 
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 #include "src/gl/driver.h"
 
 namespace snell::gl {

@@ -1,4 +1,4 @@
-#include "src/runtime/resources/patches.h"
+#include "src/runtime/resources/stages.h"
 
 #include <cmath>
 #include <map>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "parser/text/diagnostic.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/gl/program.h"
 #include "src/glsl/glsl.h"
 #include "src/plan/plan.h"
@@ -78,7 +78,7 @@ struct LinkedProgram {
     bool wide = false;          // its lines are triangles
     GLenum geometry_input = 0;  // 0: no geometry shader
     // Where vertex shaders stand for other stages: the programs whose outputs are captured. That of tessellation
-    // (patches.h) comes first, those that count and capture what is emitted (stages.h) come last; where nothing is
+    // (patches.cpp) comes first, those that count and capture what is emitted (stages.cpp) come last; where nothing is
     // captured, the program itself runs the stages. `active` and
     // `samplers` have theirs, too.
     std::optional<glsl::EmulatedTessellation> tessellation;

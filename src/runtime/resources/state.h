@@ -10,7 +10,7 @@
 
 #include "parser/scene.h"
 #include "src/content/cube/convolve.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/gl/handle.h"
 
 namespace snell::runtime {

@@ -22,7 +22,19 @@ struct Said {
 };
 
 // Spans among `places` become those of the same number.
-void say_again(const Said& said, std::span<const Span> places, Diagnostics& diagnostics);
+inline void say_again(const Said& said, std::span<const Span> places, Diagnostics& diagnostics) {
+    const auto moved = [&](const Span& span) {
+        const auto old = ranges::find(said.places, span);
+        const auto at = static_cast<std::size_t>(old - said.places.begin());
+        return at < std::min(said.places.size(), places.size()) ? places[at] : span;
+    };
+    for (Diagnostic diagnostic : said.items) {
+        diagnostic.span = moved(diagnostic.span);
+        for (Note& note : diagnostic.notes) note.span = moved(note.span);
+        for (Span& span : diagnostic.also) span = moved(span);
+        diagnostics.add(std::move(diagnostic));
+    }
+}
 
 // Holds nothing itself: what the last scene lets go of is gone.
 template <class Resource>
@@ -75,7 +87,14 @@ struct Store {
     Shelf<gl::Shader> shaders;
     Shelf<LinkedProgram> programs;
 
-    void prune();
+    void prune() {
+        textures.prune();
+        harmonics.prune();
+        meshes.prune();
+        trees.prune();
+        shaders.prune();
+        programs.prune();
+    }
 };
 
 }  // namespace snell::runtime

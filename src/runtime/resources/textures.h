@@ -14,7 +14,7 @@
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
 #include "src/content/cube/convolve.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/gl/texture.h"
 #include "src/plan/plan.h"
 #include "src/runtime/resources/counters.h"

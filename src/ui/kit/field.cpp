@@ -15,7 +15,6 @@
 #include "src/plan/values/numbers.h"
 #include "src/plan/view.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/kit.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 

@@ -11,14 +11,13 @@
 #include <imgui_internal.h>
 
 #include "parser/text/ranges.h"
-#include "src/content/image/reduced.h"
-#include "src/content/plot/plot.h"
+#include "src/content/image/image.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
-#include "src/ui/panels/frame_cost.h"
+#include "src/ui/panels/panels.h"
 #include "src/ui/panels/state.h"
 
 namespace snell::ui {

@@ -14,7 +14,6 @@
 #include "src/ui/kit/style.h"
 #include "src/ui/kit/widgets.h"
 #include "src/ui/panels/accuracy.h"
-#include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/panels.h"
 #include "src/ui/panels/state.h"
 

@@ -11,7 +11,6 @@
 #include "parser/text/ranges.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/kit.h"
 #include "src/ui/kit/style.h"
 #include "src/ui/panels/panels.h"
 

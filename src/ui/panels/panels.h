@@ -30,6 +30,13 @@ void costs_section(const Facts& facts, Memory& memory, Layout& layout);
 // Formats a size, such as "1.4 MB", in decimal units.
 std::string bytes_text(std::uint64_t bytes);
 
+// Draws Facts::frame_ms. Every panel with the time of the window's picture says it so.
+void last_picture(const Facts& facts, Layout& layout);
+
+// Draws the section; Memory::frame_cost says whether it is open. Returns true if the user starts measuring passes and
+// draws, or stops it while it runs.
+bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout);
+
 // Draws the files in use, each a link that opens it in the editor.
 void files_section(const Facts& facts, Memory& memory, Requests& requests, Layout& layout);
 // Makes the last item a link with a tooltip. Returns true if it was clicked.

@@ -8,9 +8,7 @@
 #include <cmath>
 
 #include "src/content/image/image.h"
-#include "src/runtime/inspect.h"
 #include "src/ui/kit/input.h"
-#include "src/ui/kit/widgets.h"
 #include "src/ui/panels/state.h"
 
 namespace snell::ui {

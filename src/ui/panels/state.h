@@ -26,7 +26,6 @@
 #include "src/ui/panels/accuracy.h"
 #include "src/ui/panels/browser.h"
 #include "src/ui/panels/found.h"
-#include "src/ui/panels/frame_cost.h"
 #include "src/ui/panels/pixels.h"
 #include "src/ui/panels/save_as.h"
 #include "src/ui/panels/textures.h"
@@ -50,6 +49,23 @@ struct FileRow {
 
 // The number of snapshots, which are sets of values stored next to the scene, numbered from 1.
 inline constexpr int snapshot_count = 9;
+
+// The time of a pass; rows of its draws follow it.
+struct CostRow {
+    std::string name, place;
+    double milliseconds = 0;  // median
+    bool draw = false;
+};
+
+struct FrameCostFacts {
+    std::span<const float> frames;    // of the last pictures, in milliseconds as Facts::frame_ms, oldest first
+    float median = 0, high = 0;       // `high` is the 95th percentile
+    std::span<const CostRow> passes;  // of the frames that were drawn, by the GPU's clock; empty if it has none
+    std::span<const CostRow> apart;   // measured on request, in additional frames
+    std::string_view apart_clock;
+    double apart_plain = 0;           // a whole one of these frames, without waits or queries between its draws
+    std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
+};
 
 struct SampleCards {
     std::span<const SceneCard> scenes, lessons;

@@ -1,7 +1,7 @@
 // Measurements whose answers are known.
 #include <cmath>
 
-#include "src/accuracy/sweep.h"
+#include "src/accuracy/measure.h"
 #include "tests/accuracy/gl/common.h"
 
 namespace snell::test {
@@ -208,7 +208,6 @@ void main() {
         "Background 0 0 0\nLadder TURN off <right>\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment turned.frag\nProgram "
         "T\nQuadXY 0 .5\nProgram\nTranslate .75 .75 0\nQuadXY 0 .25\n",
         64, 64);
-    EXPECT_TRUE(b.has_directions());
     EXPECT_EQ(b.draws_of(0), (std::vector<bool>{true, false}));
     Diagnostics problems;
     const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {}, From::reference, problems);

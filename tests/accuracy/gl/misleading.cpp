@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "src/accuracy/advice.h"
+#include "src/accuracy/measure.h"
 #include "src/accuracy/report/report.h"
-#include "src/accuracy/sweep.h"
 #include "src/content/image/image.h"
 #include "tests/accuracy/gl/common.h"
 #include "tests/sanitized.h"

@@ -14,15 +14,9 @@ using glsl::Form;
 constexpr std::size_t most_omissions = 200;
 constexpr std::size_t most_list_statements = 2000;  // of one list of vertices
 
-class Omissions {
+class Omissions : OfStatements {
 public:
-    Omissions(const Reading& reading, std::vector<Change>& changes)
-        : plan_(reading.plan),
-          scene_(reading.plan.scene),
-          files_(reading.files),
-          shaders_(reading.shaders),
-          all_(statements(reading.files, reading.sources)),
-          to_(reading.files, reading.sources, changes, most_omissions) {}
+    Omissions(const Reading& reading, std::vector<Change>& changes) : OfStatements(reading, changes, most_omissions) {}
 
     void run() {
         for (const Draw& draw : scene_.draws)
@@ -82,7 +76,7 @@ private:
 
     void leave_out(const Draw& draw) {
         if (!std::holds_alternative<VertexList>(draw.shape)) return leave_out(ChangeKind::no_draw, draw.span);
-        const Statement* begin = statement_at(all_, to_.first_reading(draw.span));
+        const Statement* begin = statement(draw.span);
         if (!begin) return;
         if (begin->command != "glBegin") return leave_out(ChangeKind::no_draw, draw.span);
         // Colours, normals and texture coordinates stay: they are in force behind the list.
@@ -213,13 +207,6 @@ private:
             if (k != n.first && shader.token(k).text == n.text) return true;
         return shader.unit.has_conditionals;
     }
-
-    const Plan& plan_;
-    const Scene& scene_;
-    const Files& files_;
-    const std::deque<Shader>& shaders_;
-    std::vector<Statement> all_;
-    Offers to_;
 };
 
 }  // namespace

@@ -68,15 +68,10 @@ bool linear(const glsl::Unit& unit) {
     return true;
 }
 
-class SceneChanges {
+class SceneChanges : OfStatements {
 public:
     SceneChanges(const Reading& reading, std::vector<Change>& changes)
-        : plan_(reading.plan),
-          scene_(reading.plan.scene),
-          files_(reading.files),
-          shaders_(reading.shaders),
-          all_(statements(reading.files, reading.sources)),
-          to_(reading.files, reading.sources, changes, most_scene_changes) {}
+        : OfStatements(reading, changes, most_scene_changes) {}
 
     void run() {
         for (const Draw& draw : scene_.draws)
@@ -90,8 +85,6 @@ public:
     }
 
 private:
-    const Statement* statement(Span span) const { return statement_at(all_, to_.first_reading(span)); }
-
     // The edits that give the statement these numbers; nothing where its arguments are not plain numbers.
     std::vector<Edit> with_numbers(const Statement& at, const std::vector<Field>& fields,
                                    const std::vector<double>& wanted) const {
@@ -336,13 +329,6 @@ private:
         edits.push_back(line_before(all_.front().span, "Output srgb"));
         to_.add(ChangeKind::decoded, where, std::move(edits), averaged ? "encoded-light" : "");
     }
-
-    const Plan& plan_;
-    const Scene& scene_;
-    const Files& files_;
-    const std::deque<Shader>& shaders_;
-    std::vector<Statement> all_;
-    Offers to_;
 };
 
 }  // namespace

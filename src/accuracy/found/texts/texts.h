@@ -23,6 +23,27 @@ struct Statement {
 std::vector<Statement> statements(const Files& files, const Sources& sources);
 // The statement that begins at the place; null if there is none.
 const Statement* statement_at(const std::vector<Statement>& all, Span place);
+// What finds changes of a scene's statements: the scene, its texts, and where the changes go.
+class OfStatements {
+protected:
+    OfStatements(const Reading& reading, std::vector<Change>& changes, std::size_t most)
+        : plan_(reading.plan),
+          scene_(reading.plan.scene),
+          files_(reading.files),
+          shaders_(reading.shaders),
+          all_(statements(reading.files, reading.sources)),
+          to_(reading.files, reading.sources, changes, most) {}
+
+    const Statement* statement(Span span) const { return statement_at(all_, to_.first_reading(span)); }
+
+    const Plan& plan_;
+    const Scene& scene_;
+    const Files& files_;
+    const std::deque<Shader>& shaders_;
+    std::vector<Statement> all_;
+    Offers to_;
+};
+
 // Whether all files of the texture are there, or of the one that it is computed from.
 bool is_there(const Scene& scene, Index texture, const Files& files);
 

@@ -1,9 +1,9 @@
-#include "src/accuracy/report/slide/crops.h"
+#include "src/accuracy/report/slide/slide.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 
 namespace snell::accuracy {
 

@@ -9,7 +9,7 @@
 
 #include "src/accuracy/report/slide/cairo/api.h"
 #include "src/accuracy/report/slide/slide.h"
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 #include "src/content/load_module.h"
 #include "src/plan/locate.h"
 

@@ -11,9 +11,7 @@
 
 #include "parser/text/ranges.h"
 #include "src/accuracy/costs.h"
-#include "src/accuracy/report/report.h"
-#include "src/accuracy/report/slide/crops.h"
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 
 namespace snell::accuracy {
 

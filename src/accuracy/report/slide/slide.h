@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,23 @@ struct Slide {
     Window window;                            // in the pixels of `whole`, rounded
     double scale = 1;                         // the FLIP that has the last colour of the maps
 };
+
+// Where pictures differ most, and what of them is shown there.
+
+// For each pixel, by how much the display values of the pictures differ from each other; of a single picture, from the
+// reference. All have the same size. Between 0 and 1.
+std::vector<float> disagreement(std::span<const Picture* const> pictures, const Picture& reference);
+
+// The window of this size, or of the picture's if that is smaller, in which the sum of the values is largest; of equal
+// ones the first by rows. There are width × height values.
+Window largest_window(const std::vector<float>& values, int width, int height, int window_width, int window_height);
+
+// The window's pixels as they are shown.
+content::Image crop(const Picture& picture, const Window& window);
+// FLIP in the window, as flip_map computes it for the whole pictures.
+std::vector<float> flip_in(const Picture& picture, const Picture& reference, const Window& window);
+// In the colours of content::heat.
+content::Image colored(std::span<const float> values, const Window& window, double scale);
 
 // What can be said of the report. Shown are all rungs of a scene, found ones too, whose errors are from one reference:
 // that of the ladder in which the scene's own rung has the largest error. If nothing but found rungs was measured, they

@@ -19,7 +19,6 @@
 #include "src/app/open/headless.h"
 #include "src/app/open/progress.h"
 #include "src/app/picture/outputs.h"
-#include "src/document/document.h"
 #include "src/gl/present.h"
 #include "src/gl/target.h"
 #include "src/lint/lint.h"

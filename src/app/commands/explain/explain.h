@@ -10,7 +10,7 @@
 #include "parser/text/diagnostic.h"
 #include "parser/text/source.h"
 #include "src/document/document.h"
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 #include "src/runtime/explain.h"
 #include "src/runtime/runtime.h"
 

@@ -13,7 +13,7 @@
 #include "src/accuracy/metrics.h"
 #include "src/accuracy/report/report.h"
 #include "src/accuracy/timing.h"
-#include "src/content/image/reduced.h"
+#include "src/content/image/image.h"
 #include "src/runtime/resources/counters.h"
 
 namespace snell {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "src/accuracy/bench.h"
 #include "src/accuracy/metrics.h"
-#include "src/accuracy/reference.h"
 #include "src/document/document.h"
 #include "src/gl/present.h"
 #include "src/ui/panels/accuracy.h"

@@ -12,8 +12,9 @@
 #include "src/accuracy/timing.h"
 #include "src/app/window/measure/accuracy_view.h"
 #include "src/document/document.h"
-#include "src/gl/debug.h"
-#include "src/ui/panels/frame_cost.h"
+#include "src/gl/context.h"
+#include "src/gl/target.h"
+#include "src/ui/panels/state.h"
 
 namespace snell {
 

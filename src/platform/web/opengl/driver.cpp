@@ -6,7 +6,7 @@
 #include <emscripten/html5.h>
 #include <webgl/webgl2.h>
 
-#include "src/gl/debug.h"
+#include "src/gl/context.h"
 #include "src/gl/driver.h"
 
 #undef glGetUniformfv

@@ -1,4 +1,4 @@
-#include "src/app/open/color.h"
+#include "src/app/open/complain.h"
 
 #include <unistd.h>
 

@@ -1,7 +1,9 @@
-// Capabilities of the current context.
+// The current context: its capabilities, its errors and messages.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace snell::gl {
 
@@ -23,5 +25,15 @@ struct Caps {
 Caps query_caps();
 // As if it had no more stages than OpenGL ES 3.0.
 void leave_stages(Caps& caps);
+
+// Errors and warnings of the OpenGL driver. The tests fail on any of them.
+
+using MessageReport = std::function<void(const char* message)>;
+// From now on reports the driver's messages: errors, undefined behaviour, and all messages of high severity. A debug
+// context reports the most. `report` must outlive the context. Has no effect if the context has no debug output.
+void watch_messages(const MessageReport& report);
+
+// Returns the names of the errors that glGetError reports, and clears them.
+std::vector<std::string> take_errors();
 
 }  // namespace snell::gl

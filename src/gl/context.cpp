@@ -1,8 +1,9 @@
-#include "src/gl/caps.h"
+#include "src/gl/context.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "src/gl/driver.h"
 
@@ -67,6 +68,31 @@ Caps query_caps() {
 void leave_stages(Caps& caps) {
     caps.geometry = caps.tessellation = false;
     if (caps.es) caps.glsl = 300;
+}
+
+namespace {
+
+const char* error_name(GLenum error) {
+    constexpr std::pair<GLenum, const char*> names[]{
+        {GL_INVALID_ENUM, "GL_INVALID_ENUM"},
+        {GL_INVALID_VALUE, "GL_INVALID_VALUE"},
+        {GL_INVALID_OPERATION, "GL_INVALID_OPERATION"},
+        {GL_INVALID_FRAMEBUFFER_OPERATION, "GL_INVALID_FRAMEBUFFER_OPERATION"},
+        {GL_OUT_OF_MEMORY, "GL_OUT_OF_MEMORY"},
+        {GL_CONTEXT_LOST, "GL_CONTEXT_LOST"}};
+    for (const auto& [code, name] : names)
+        if (code == error) return name;
+    return "unknown GL error";
+}
+
+}  // namespace
+
+std::vector<std::string> take_errors() {
+    std::vector<std::string> errors;
+    // The loop is bounded because a lost context reports the same error for ever.
+    for (GLenum error; errors.size() < 16 && (error = glGetError()) != GL_NO_ERROR;)
+        errors.emplace_back(error_name(error));
+    return errors;
 }
 
 }  // namespace snell::gl
