@@ -153,6 +153,7 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     turn();
     const double slid = red();
     const std::string turned = view(), text = bytes("one.glib");
+    press("ctrl+3");
     press("ctrl+shift+s");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
     settle();
@@ -171,6 +172,18 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_EQ(notice(), "saved as two.glib");
     EXPECT_EQ(title().find("\u2022"), std::string::npos) << "everything is saved";
     EXPECT_EQ(state()["errors"], 0);
+    EXPECT_EQ(bytes("two.snapshots.json"), bytes("one.snapshots.json"));
+    slide(.3);
+    press("3");
+    EXPECT_EQ(red(), slid) << "the snapshot came along";
+    press("ctrl+4");
+    press("ctrl+shift+s");
+    user("key ctrl+a");
+    user("type --delay 8 one");
+    press("Return");
+    keep("save-as-with-snapshots");
+    EXPECT_NE(bytes("two.snapshots.json"), bytes("one.snapshots.json")) << "it is asked first";
+    press("Escape");
     press("ctrl+shift+s");
     std::filesystem::create_directory(file("other"));
     user("key ctrl+a");

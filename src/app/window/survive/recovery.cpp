@@ -52,7 +52,15 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     const std::string last = name.substr(name.rfind('/') + 1);
     if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
     SavedAs saved = saved_as(document, name);
-    if (!ui::confirmed(dialog, saved.error.empty() && saved.exists, saved.file.path)) return;
+    // Its snapshots have that name, too, in place of those that were there.
+    const std::string snapshots = content::whole_file(snapshots_file(document.path)),
+                      others = snapshots_file(saved.file.path), there = content::whole_file(others);
+    const bool carries = !snapshots.empty() && snapshots != there, replaces = carries && !there.empty();
+    const std::string existing = !replaces      ? saved.file.path
+                                 : saved.exists ? saved.file.path + " with its snapshots"
+                                                : others;
+    if (!ui::confirmed(dialog, saved.error.empty() && (saved.exists || replaces), existing)) return;
+    if (saved.error.empty() && carries) saved.error = content::replace_file(others, snapshots);
     if (saved.error.empty()) saved.error = content::replace_file(saved.file.path, saved.file.after);
     dialog.error = std::move(saved.error);
     if (!dialog.error.empty()) return;
