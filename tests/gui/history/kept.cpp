@@ -198,6 +198,33 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_FALSE(state()["widgets"].contains("save as save"));
 }
 
+TEST_F(Past, ASizeIsRememberedIfTheUserChoseItInTheWindow) {
+    const auto remembered = [&] {
+        end_window();
+        const json kept = json::parse(bytes("state/snell/window.json"));
+        return std::pair<int, int>(kept["width"], kept["height"]);
+    };
+    const auto resize = [&](int width, int height) {
+        user("search --sync --name snell windowsize " + std::to_string(width) + " " + std::to_string(height));
+        ASSERT_TRUE(wait([&](const json& s) { return s["size"] == json::array({width, height}); }));
+    };
+    open("one.glib", {"--size", "640x480"});
+    resize(660, 500);
+    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the command line chose it";
+    save("small.glib", "WindowSize 300 250\n" + scene("uRed"));
+    open("small.glib", {"--size", ""});
+    const json small = state()["size"];
+    show("two.glib");
+    EXPECT_EQ(state()["size"], small);
+    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the scene chose it";
+    open("small.glib", {"--size", ""});
+    show("two.glib");
+    resize(700, 500);
+    EXPECT_EQ(remembered(), std::pair(700, 500));
+    open("one.glib", {"--size", ""});
+    EXPECT_EQ(state()["size"], json::array({700, 500}));
+}
+
 TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
     open("one.glib");
     slide(.75);
