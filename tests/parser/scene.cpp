@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parser/commands/commands.h"
+#include "parser/text_of.h"
 #include "tests/parser/support.h"
 
 namespace snell::test {
@@ -249,12 +250,10 @@ TEST(Scene, TwoStageNumbersGiveTheRangeItsEnds) {
     EXPECT_EQ(missing.begin, missing.end) << "a number that is not in the text has an empty span";
 }
 
-TEST(Scene, TorusTakesItsRadiiInEitherOrder) {
-    const Read r = read("Torus .2 1.\nTorus 1. .2\n");
-    for (const Draw& d : r.scene().draws) {
-        EXPECT_EQ(std::get<Torus>(d.shape).outer, 1);
-        EXPECT_EQ(std::get<Torus>(d.shape).inner, .2);
-    }
+TEST(Scene, TorusIsListedAsItIsWritten) {
+    const Read r = read("Torus .2 1. 12 30\nTorus 1. .2\n");
+    EXPECT_EQ(text_of::shape(r.scene(), r.scene().draws[0].shape, false), "Torus 0.2 1. 12 30");
+    EXPECT_EQ(text_of::shape(r.scene(), r.scene().draws[1].shape, false), "Torus 1. 0.2 20 40");
 }
 
 TEST(Scene, TrianglesHaveTheNormalOfTheirPlane) {
