@@ -356,6 +356,18 @@ TEST(Scene, StateGoesIntoIncludedTextAndBack) {
     EXPECT_EQ(r.sources.name(r.diagnostics()[1].span.file), "dir/part.glib");
 }
 
+TEST(Scene, AFaultyTextThatIsIncludedAgainIsFaultyOnce) {
+    const IncludeReader reader = [](std::string_view, std::string_view name) {
+        return IncludedText{std::string(name), "Foo\nSphere 1 2 3 4\nFoo\n"};
+    };
+    const Read r = read("Include a.inc\nInclude b.inc\nInclude a.inc\n", reader);
+    EXPECT_EQ(r.scene().draws.size(), 3u) << "it is drawn each time";
+    const Codes one{"1:1 unknown-command", "2:14 surplus-arguments", "3:1 unknown-command"};
+    Codes both = one;
+    both.insert(both.end(), one.begin(), one.end());
+    EXPECT_EQ(r.codes(), both) << "once of each file";
+}
+
 TEST(Scene, IncludesAreLimitedInDepth) {
     int count = 0;
     const IncludeReader reader = [&](std::string_view, std::string_view) {
