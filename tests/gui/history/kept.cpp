@@ -245,6 +245,21 @@ TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
     EXPECT_EQ(red(), slid);
 }
 
+TEST_F(Past, NoticesAreOneLineWhateverAFileIsCalled) {
+    save("two\nlines.glib", scene("uRed"));
+    open("two\nlines.glib");
+    slide(.75);
+    press("ctrl+2");
+    EXPECT_EQ(notice(), "snapshot 2 is in two\\x0Alines.snapshots.json");
+    press("ctrl+s");
+    EXPECT_EQ(notice(), "1 value saved to two\\x0Alines.glib");
+    std::filesystem::remove(file("two\nlines.glib"));
+    slide(.3);
+    press("ctrl+s");
+    const std::string said = state()["failure"];
+    EXPECT_EQ(said.find("not saved: two\\x0Alines.glib is gone"), 0U) << said;
+}
+
 TEST_F(Past, ASaveIsUndoneAfterAnotherSceneWasShown) {
     open("./one.glib");  // later it is opened by another name
     slide(.75);

@@ -29,6 +29,7 @@ namespace {
 using Remedy = ui::Failure::Remedy;
 
 std::string short_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+std::string printable_name(const std::string& path) { return utf8::printable(short_name(path)); }
 
 void restore(int number, Document& document, ui::Memory& memory) {
     const Restored restored = restore_snapshot(number, document);
@@ -111,8 +112,8 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
     served.what = "save to";
     for (const SavedFile& file : saved.files) {
-        notice += " " + short_name(file.path);
-        served.what += " " + short_name(file.path);
+        notice += " " + printable_name(file.path);
+        served.what += " " + printable_name(file.path);
     }
     std::string unwritten;
     for (const Unwritten& value : saved.unwritten)
@@ -136,7 +137,7 @@ void Keeper::store(int number, Setup values, ui::Memory& memory, Served& served)
     for (const Remedy mended : {Remedy::store, Remedy::recall, Remedy::absent}) memory.failures.done(mended, number);
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
-    memory.notice = fmt::format("snapshot {} is in {}", number, short_name(file));
+    memory.notice = fmt::format("snapshot {} is in {}", number, printable_name(file));
 }
 
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files) {
