@@ -70,7 +70,7 @@ struct Sphere {
     }
 };
 struct Torus {
-    double outer = 1, inner = .5;
+    double outer = 1, inner = .5;  // as written: the larger one is the ring's
     int sides = 20, rings = 40;
     static constexpr bool solid = true;
     static constexpr std::string_view command() { return "Torus"; }

@@ -15,11 +15,7 @@ constexpr int most_patch_vertices = 32;  // the least that OpenGL promises
 
 Sphere sphere_of(const Arguments& a) { return {a.number(0), a.integer(1), a.integer(2)}; }
 
-// Scenes give the radii in either order; the ring's is the larger one.
-Torus torus_of(const Arguments& a) {
-    const double one = a.number(0), other = a.number(1);
-    return {std::max(one, other), std::min(one, other), a.integer(2), a.integer(3)};
-}
+Torus torus_of(const Arguments& a) { return {a.number(0), a.number(1), a.integer(2), a.integer(3)}; }
 
 Cone cone_of(const Arguments& a) { return {a.number(0), a.number(1), a.integer(2), a.integer(3)}; }
 Cylinder cylinder_of(const Arguments& a) { return {a.number(0), a.number(1), a.integer(2), a.integer(3)}; }

@@ -1,6 +1,8 @@
 #include "parser/read/parse.h"
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "parser/commands/commands.h"
@@ -342,6 +344,16 @@ private:
     std::vector<Token> unbraced_;
 };
 
+// Of a file that is included again, the same is wrong again.
+Diagnostics said_once(Diagnostics all, const Sources& sources) {
+    if (sources.size() < 2) return all;
+    std::set<std::tuple<std::string_view, std::uint32_t, std::string_view, std::string_view>> said;
+    Diagnostics once;
+    for (const Diagnostic& d : all.items())
+        if (said.emplace(sources.name(d.span.file), d.span.begin, d.code, d.message).second) once.add(d);
+    return once;
+}
+
 }  // namespace
 
 std::string inexact_name(std::string_view name, std::string_view path) {
@@ -350,7 +362,8 @@ std::string inexact_name(std::string_view name, std::string_view path) {
 
 Parsed parse(FileId file, Sources& sources, const IncludeReader& include, const Limits& limits) {
     Parsed parsed;
-    parsed.diagnostics = SceneParser(sources, include, limits, sources.text(file).size(), parsed.scene).run(file);
+    parsed.diagnostics =
+        said_once(SceneParser(sources, include, limits, sources.text(file).size(), parsed.scene).run(file), sources);
     return parsed;
 }
 

@@ -277,13 +277,15 @@ Saved saved_values(const Document& document) {
     std::error_code error;
     const auto check_there = [&](const std::string& path) {
         const bool there = fs::exists(path, error);
-        if (!there) saved.error = path + " is gone: save the scene under a name, which writes what was read";
+        if (!there)
+            saved.error = utf8::printable(path) + " is gone: save the scene under a name, which writes what was read";
         return there;
     };
     if (check_there(document.path))  // also where no value was changed
         for (const SavedFile& file : saved.files)
             if (check_there(file.path) && content::whole_file(file.path) != file.before)
-                saved.error = file.path + " has changed since it was read: reload it, or correct its errors, first";
+                saved.error = utf8::printable(file.path) +
+                              " has changed since it was read: reload it, or correct its errors, first";
     if (!saved.error.empty()) saved.files.clear();
     return saved;
 }
@@ -305,7 +307,8 @@ SavedAs saved_as(const Document& document, const std::string& name) {
         if (file.path == document.path)
             as.file.after = file.after;
         else
-            as.error = fs::path(file.path).filename().string() + " has some of these values: save them there first";
+            as.error = utf8::printable(fs::path(file.path).filename().string()) +
+                       " has some of these values: save them there first";
     }
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     const bool gone = !old_folder.empty() && !fs::is_directory(old_folder, error);

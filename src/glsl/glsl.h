@@ -41,6 +41,7 @@ struct Define {
 struct IncludeText {
     std::string name, text;
     std::string why = {};  // without a name: why the file cannot be read
+    bool inexact = false;  // the file of that name is another one, which is taken for it
 };
 using IncludeReader =
     std::function<std::optional<IncludeText>(std::string_view from, std::string_view name, bool angle)>;

@@ -35,6 +35,7 @@ enum class Rule : std::uint8_t {
     smoothstep_without_width,
     encoded_light,
     position_not_written,
+    point_size_unused,
     slider_without_effect,  // found by the driver's code of the programs: Runtime::without_effect
 };
 

@@ -74,6 +74,11 @@ constexpr std::array table{
     RuleFacts{position_not_written, warning, "position-not-written", "a-vertex-without-a-place",
               "a vertex shader that never writes `gl_Position`: where its triangles are is undefined",
               "write gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;"},
+    RuleFacts{
+        point_size_unused, warning, "point-size-unused", "the-size-of-points",
+        "a shader that writes `gl_PointSize` for points that the scene draws without `PointSizeMode 1`: `PointSize` "
+        "decides instead",
+        "write PointSizeMode 1 before the points, or PointSize if all have one size"},
     RuleFacts{slider_without_effect, warning, "slider-without-effect", "a-slider-without-effect",
               "a slider or check box whose uniform the program reads, and yet no pixel depends on it",
               "let an output depend on the uniform, or remove it from the Program line"},

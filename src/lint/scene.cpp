@@ -161,6 +161,7 @@ private:
         Surroundings around = surroundings(index);
         check_samplers(index, units, around);
         check_position(units);
+        check_point_size(index, units);
         std::optional<Varyings> given;
         for (const Unit& unit : units) {
             check_shadows(unit);
@@ -189,6 +190,44 @@ private:
                 report_tokens(unit, Rule::position_not_written, function.name_token, function.name_token,
                               "this vertex shader never writes gl_Position, so that nothing certain is drawn with it",
                               {});
+    }
+
+    // Whether the last stage before rasterization makes points of what is drawn.
+    bool makes_points(const Unit& last, const Program& program, const Draw& draw) const {
+        const auto says = [&](Storage storage, std::string_view primitive) {
+            return ranges::any_of(last.layouts, [&](const glsl::StageLayout& l) {
+                return l.qualifiers.storage == storage &&
+                       ranges::count(l.qualifiers.layout, primitive, &glsl::LayoutItem::name) > 0;
+            });
+        };
+        if (last.stage == Stage::geometry)
+            return says(Storage::out, "points") ||
+                   (lowered(program.geometry_output) == "gl_points" && !says(Storage::out, "line_strip") &&
+                    !says(Storage::out, "triangle_strip"));
+        if (last.stage == Stage::tess_evaluation) return says(Storage::in, "point_mode");
+        if (const auto* list = std::get_if<VertexList>(&draw.shape))
+            return scene_.vertex_lists[list->list].topology == Topology::points;
+        return std::holds_alternative<PointCloud>(draw.shape);
+    }
+
+    // Where a draw of the same program takes it, it has an effect.
+    void check_point_size(Index index, const std::vector<Unit>& units) {
+        const auto behind =
+            std::find_if(units.begin(), units.end(), [](const Unit& unit) { return unit.stage == Stage::fragment; });
+        if (behind == units.begin()) return;
+        const Unit& last = *std::prev(behind);
+        const Draw* points = nullptr;
+        for (const Draw& draw : scene_.draws) {
+            if (!draws_with(draw, index) || !makes_points(last, scene_.programs[index], draw)) continue;
+            if (scene_.rasters[draw.raster].point_size_mode) return;
+            if (!points) points = &draw;
+        }
+        if (!points || !last.legacy_written.contains("gl_PointSize")) return;
+        for (int k = 1; k < static_cast<int>(last.tokens.size()); ++k)
+            if (last.at(k).text == "gl_PointSize" && last.at(k - 1).text != ".")
+                return report_tokens(last, Rule::point_size_unused, k, k,
+                                     "this has no effect: the scene draws these points without PointSizeMode 1",
+                                     {{points->span, "the points"}});
     }
 
     void report_tokens(const Unit& unit, Rule rule, int first, int last, std::string message, std::vector<Note> notes) {

@@ -71,7 +71,7 @@ glsl::IncludeReader shader_includes(Files& files) {
         const auto text = resolved.path.empty() ? nullptr : files.read_once(resolved.path, error);
         if (!text && error.empty()) return std::nullopt;
         if (!text) return glsl::IncludeText{{}, {}, std::move(error)};
-        return glsl::IncludeText{resolved.path, *text};
+        return glsl::IncludeText{resolved.path, *text, {}, resolved.inexact};
     };
 }
 

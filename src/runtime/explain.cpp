@@ -303,7 +303,10 @@ private:
             drawn.settled = impl_.settled_values;
             const bool asked = impl_.settled_values != 0 && variant.settled == 0 && linked->settled.empty() &&
                                impl_.programs.contains({index, drawn});
-            if (paid.draws.empty() && asked) paid.why = "no draw; compiled to learn which uniforms it reads";
+            if (paid.draws.empty() && asked) {
+                paid.name += ", for any values";
+                paid.why = "no draw; compiled to learn which uniforms it reads";
+            }
             if (variant.wide) paid.name += ", lines widened";
             if (variant.outputs > 1) paid.name += fmt::format(", {} outputs", variant.outputs);
             for (std::size_t i = 0; i < variant.rungs.size(); ++i)

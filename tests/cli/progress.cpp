@@ -72,6 +72,17 @@ TEST_F(ProgressLines, TimingFramesHasABarToo) {
     EXPECT_LT(text.rfind("\r\x1b[K"), text.find("PAYS FOR")) << text;
 }
 
+TEST_F(ProgressLines, MeasuringHasOneWhereTheTerminalCanClearIt) {
+    const std::string accuracy = "accuracy " + folder.path("quick.glib") + " --size 64x64 --budget 2 --no-found";
+    const auto [text, seconds] = on_terminal(accuracy);
+    if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
+    EXPECT_NE(text.find(" s left"), std::string::npos) << text;
+    EXPECT_EQ(text.find("\r\x1b[K"), text.find("snell [") - 4) << text;
+    const auto [plain, again] = on_terminal(accuracy, "dumb");
+    EXPECT_EQ(plain.find(" s left"), std::string::npos) << plain;
+    EXPECT_EQ(plain.find('\x1b'), std::string::npos) << plain;
+}
+
 TEST_F(ProgressLines, AQuickLoadHasNone) {
     const auto [text, seconds] = on_terminal(render("quick"));
     if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;

@@ -14,13 +14,13 @@
 namespace snell::test {
 
 // What the program writes to a terminal, and how long it took.
-inline std::pair<std::string, double> on_terminal(const std::string& arguments) {
+inline std::pair<std::string, double> on_terminal(const std::string& arguments, const char* kind = "xterm") {
     int terminal = -1;
     winsize size{24, 80, 0, 0};
     const auto start = std::chrono::steady_clock::now();
     const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
     if (child == 0) {
-        setenv("TERM", "xterm", 1);
+        setenv("TERM", kind, 1);
         unsetenv("DISPLAY");
         execl("/bin/sh", "sh", "-c", (SNELL_BIN "/snell " + arguments).c_str(), nullptr);
         _exit(127);

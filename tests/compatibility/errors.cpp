@@ -96,6 +96,14 @@ constexpr Mistake mistakes[] = {
      "#version 330 compatibility\nin vec3 vNormal;\nvoid main() {\n    float d = abs(vNormal.z)   // here\n\n    "
      "gl_FragColor = vec4(d);\n}\n",
      "demo.frag:6:5 gl_FragColor", "unexpected 'gl_FragColor'", "line 4 seems to lack a ';'"},
+    {"no semicolon behind a varying",
+     "varying vec3 vNormal\nvarying vec2 vST;\nvoid main() {\n    gl_FragColor = vec4(vNormal, vST.s);\n}\n",
+     "demo.frag:1:20 l", "a ';' is missing after this", ""},
+    {"no semicolon before a varying",
+     "uniform float uKd // of light\nvarying vec2 vST;\nvoid main() {\n    gl_FragColor = vec4(vST.s);\n}\n",
+     "demo.frag:1:17 d", "a ';' is missing after this", ""},
+    {"no semicolon between a varying and main", "varying vec2 vST\nvoid main() {\n    gl_FragColor = vec4(vST.s);\n}\n",
+     "demo.frag:1:16 T", "a ';' is missing after this", ""},
     {"missing brace",
      "#version 330 compatibility\nin vec3 vNormal;\nvoid main() {\n    if (vNormal.x > 0.) {\n        gl_FragColor = "
      "vec4(1.);\n    gl_FragColor = vec4(0.);\n}\n",

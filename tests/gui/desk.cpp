@@ -207,6 +207,8 @@ void Desk::open(const std::string& scene, std::vector<std::string> more) {
     };
     otherwise("--size", "800x600");
     otherwise("--exit-after", std::to_string(static_cast<int>(60 * patience)));
+    if (const auto none = std::find(more.begin(), more.end(), ""); none != more.end())
+        more.erase(std::prev(none), std::next(none));
     words.insert(words.end(), more.begin(), more.end());
     const int errors = ::open(file("out/errors").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
     window_ = start(words, display_, {-1, errors});

@@ -42,7 +42,8 @@ protected:
     // In the test's folder, with the program in the path; the exit status.
     int shell(const std::string& command) const;
 
-    // Opens a window on `scene` and waits for its first picture; on a folder or "", for its panels.
+    // Opens a window on `scene` and waits for its first picture; on a folder or "", for its panels. Of `more`, "--size"
+    // with "" leaves the size to the window.
     void open(const std::string& scene, std::vector<std::string> more = {});
     // Ends the window, once what it remembers is written, so that another can be opened.
     void end_window();

@@ -130,6 +130,29 @@ TEST(LintPosition, OfAVertexShaderThatGivesNone) {
                      .has(Rule::position_not_written));
 }
 
+TEST(LintPointSize, OfAShaderWhereTheSceneDecides) {
+    const std::string_view sized = "void main() {\n    gl_Position = ftransform();\n    gl_PointSize = 9.;\n}\n";
+    const std::string_view points =
+        "layout(points) in;\nlayout(points, max_vertices = 1) out;\nvoid main() {\n"
+        "    gl_Position = gl_in[0].gl_Position;\n    gl_PointSize = 3.;\n    EmitVertex();\n}\n";
+    const auto places = [&](const std::string& draws, std::string_view vertex, std::string_view stages = "") {
+        return lint("Vertex p.vert\nFragment p.frag\n" + std::string(stages) + "Program Seen\n" + draws,
+                    {{"p.vert", vertex}, {"p.geom", points}, {"p.frag", plain_frag}})
+            .place("point-size-unused");
+    };
+    const std::string list = "glBegin gl_points\nglVertex 0 0 0\nglEnd\n";
+    EXPECT_EQ(places("PointCloud 2 2 2\n", sized), "p.vert:3:5");
+    EXPECT_EQ(places("JitterCloud\n", sized), "p.vert:3:5");
+    EXPECT_EQ(places("PointSize 4\nPointSizeMode 1\nPointSizeMode 0\n" + list, sized), "p.vert:3:5");
+    EXPECT_EQ(places(list, plain_vert, "Geometry p.geom\n"), "p.geom:5:5");
+    EXPECT_EQ(places("PointSizeMode 1\n" + list, plain_vert, "Geometry p.geom\n"), "");
+    EXPECT_EQ(places("PointSizeMode 1\nPointCloud\n", sized), "");
+    EXPECT_EQ(places("PointCloud\nPointSizeMode 1\nPointCloud\n", sized), "") << "one draw takes it";
+    EXPECT_EQ(places("Sphere\n", sized), "") << "nothing of it is a point";
+    EXPECT_EQ(places("PointCloud\n", plain_vert), "");
+    EXPECT_EQ(places("PointCloud\n", "void main() { gl_Position = ftransform() * float(gl_PointSize == 1.); }\n"), "");
+}
+
 constexpr std::string_view cube_frag =
     "uniform samplerCube uSky;\nuniform sampler2D uWood;\nvarying vec3 vD;\n"
     "void main() { gl_FragColor = textureCube(uSky, vD) + texture2D(uWood, vD.xy); }\n";
@@ -270,7 +293,7 @@ TEST(LintSilence, ShadersOfEveryDialect) {
         for (const auto& [extension, command] : commands)
             if (std::count(names.begin(), names.end(), stem + std::string(extension)))
                 scene += std::string(command) + " " SNELL_ROOT "/tests/glsl/" + stem + std::string(extension) + "\n";
-        const Linted linted = lint(scene + "Program P\nSphere\n", {});
+        const Linted linted = lint(scene + "Program P\nPointSizeMode 1\nSphere\n", {});
         EXPECT_TRUE(linted.found.empty()) << linted.text();
     }
     EXPECT_GT(names.size(), 140U);

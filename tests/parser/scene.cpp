@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parser/commands/commands.h"
+#include "parser/text_of.h"
 #include "tests/parser/support.h"
 
 namespace snell::test {
@@ -249,12 +250,10 @@ TEST(Scene, TwoStageNumbersGiveTheRangeItsEnds) {
     EXPECT_EQ(missing.begin, missing.end) << "a number that is not in the text has an empty span";
 }
 
-TEST(Scene, TorusTakesItsRadiiInEitherOrder) {
-    const Read r = read("Torus .2 1.\nTorus 1. .2\n");
-    for (const Draw& d : r.scene().draws) {
-        EXPECT_EQ(std::get<Torus>(d.shape).outer, 1);
-        EXPECT_EQ(std::get<Torus>(d.shape).inner, .2);
-    }
+TEST(Scene, TorusIsListedAsItIsWritten) {
+    const Read r = read("Torus .2 1. 12 30\nTorus 1. .2\n");
+    EXPECT_EQ(text_of::shape(r.scene(), r.scene().draws[0].shape, false), "Torus 0.2 1. 12 30");
+    EXPECT_EQ(text_of::shape(r.scene(), r.scene().draws[1].shape, false), "Torus 1. 0.2 20 40");
 }
 
 TEST(Scene, TrianglesHaveTheNormalOfTheirPlane) {
@@ -355,6 +354,18 @@ TEST(Scene, StateGoesIntoIncludedTextAndBack) {
     EXPECT_EQ(r.matrix(1)[12], 2);
     EXPECT_EQ(r.codes(), (Codes{"4:1 include-not-found", "3:1 unknown-command", "1:1 include-cycle"}));
     EXPECT_EQ(r.sources.name(r.diagnostics()[1].span.file), "dir/part.glib");
+}
+
+TEST(Scene, AFaultyTextThatIsIncludedAgainIsFaultyOnce) {
+    const IncludeReader reader = [](std::string_view, std::string_view name) {
+        return IncludedText{std::string(name), "Foo\nSphere 1 2 3 4\nFoo\n"};
+    };
+    const Read r = read("Include a.inc\nInclude b.inc\nInclude a.inc\n", reader);
+    EXPECT_EQ(r.scene().draws.size(), 3u) << "it is drawn each time";
+    const Codes one{"1:1 unknown-command", "2:14 surplus-arguments", "3:1 unknown-command"};
+    Codes both = one;
+    both.insert(both.end(), one.begin(), one.end());
+    EXPECT_EQ(r.codes(), both) << "once of each file";
 }
 
 TEST(Scene, IncludesAreLimitedInDepth) {

@@ -9,6 +9,7 @@
 #include "parser/text/words.h"
 #include "src/plan/files.h"
 #include "src/plan/locate.h"
+#include "src/plan/texts.h"
 #include "tests/sanitized.h"
 #include "tests/scratch.h"
 
@@ -236,13 +237,17 @@ TEST(Resolve, BesideAnIncludingFile) {
     folder.write("lib/optics.glsl", "x");
     folder.write("lib/deep/fresnel.glsl", "x");
     folder.write("common.glsl", "x");
-    const Files files(folder.path());
+    Files files(folder.path());
     const std::string from = folder.path("lib/optics.glsl");
     EXPECT_EQ(files.resolve_beside(from, "deep/fresnel.glsl").path, folder.path("lib/deep/fresnel.glsl"));
     EXPECT_EQ(files.resolve_beside(from, "../common.glsl").path, folder.path("lib/../common.glsl"));
     EXPECT_EQ(Files(folder.path()).resolve_beside(from, "common.glsl").path, folder.path("common.glsl"))
         << "or the scene's folder";
     EXPECT_TRUE(files.resolve_beside(from, "none.glsl").path.empty());
+    // No file system finds it there.
+    const glsl::IncludeReader reader = shader_includes(files);
+    EXPECT_TRUE(reader(from, "gone/../../common.glsl", false)->inexact);
+    EXPECT_FALSE(reader(from, "../common.glsl", false)->inexact);
 }
 
 TEST(Read, WholeFileCounted) {

@@ -83,6 +83,7 @@ TEST(GlslPreprocess, Includes) {
             return IncludeText{"lit.glsl", "#include \"deep.glsl\"\nfloat lit(float x) { return deep(x) * lost; }\n"};
         if (name == "deep.glsl") return IncludeText{"deep.glsl", "float deep(float x) { return x; }\n"};
         if (name == "loop.glsl") return IncludeText{"loop.glsl", "#include \"loop.glsl\"\n"};
+        if (name == "gone/../deep.glsl") return IncludeText{"deep.glsl", "float deep;\n", {}, true};
         return std::nullopt;
     };
     Translated t;
@@ -100,6 +101,9 @@ TEST(GlslPreprocess, Includes) {
     Translated loop;
     translate_texts(loop, {{Stage::fragment, "#include \"loop.glsl\"\nvoid main() {}\n"}}, options);
     EXPECT_EQ(loop.count("include-cycle"), 1);
+    Translated inexact;
+    translate_texts(inexact, {{Stage::fragment, "#include \"gone/../deep.glsl\"\nvoid main() {}\n"}}, options);
+    EXPECT_EQ(inexact.count("file-inexact"), 1);
     Translated missing;
     translate_texts(missing,
                     {{Stage::fragment, "#if 0\n#include \"no.glsl\"\n#endif\n#include <none>\nvoid main() {}\n"}},

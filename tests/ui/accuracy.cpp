@@ -259,6 +259,9 @@ protected:
 TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
     explanation_.paid.push_back({.kind = Explanation::Kind::image, .name = "wall.bmp", .why = "read", .bytes = 4096});
     explanation_.paid.push_back({.kind = Explanation::Kind::mesh, .name = "Sphere", .why = "drawn", .bytes = 100});
+    const Span one{0, 10, 20}, other{0, 30, 40};
+    for (const auto& [name, span] : {std::pair("Slow", one), {"Slow, for any values", one}, {"Fast", other}})
+        explanation_.paid.push_back({.kind = Explanation::Kind::program, .name = name, .why = "drawn", .span = span});
     explanation_.unpaid.push_back({"Noise3", "inactive"});
     memory_.tab = Tab::tools;
     click(place("costs"));
@@ -266,6 +269,8 @@ TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
     facts_.explanation = &explanation_;
     EXPECT_TRUE(has("costs.Images"));
     EXPECT_TRUE(has("costs.Meshes"));
+    EXPECT_TRUE(has("costs.title.Programs: 2, in 3 forms"));
+    EXPECT_TRUE(has("costs.title.Images: 1"));
     EXPECT_TRUE(has("costs.Not loaded"));
     EXPECT_FALSE(has("costs.Noise")) << "none of it";
     EXPECT_FALSE(has("costs.Declared but unused"));

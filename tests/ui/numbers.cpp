@@ -19,6 +19,22 @@ TEST(UiNumbers, WhatIsShownReadsBackCloseEnoughToSeeAStep) {
         }
     EXPECT_EQ(shown(1.1, .1, 5, false), "1.1000");
     EXPECT_EQ(shown(8, 1, 32, true), "8");
+    EXPECT_EQ(shown(1e-5, 0, 1, false), "1e-05");
+    EXPECT_EQ(shown(-.000123, -1, 1, false), "-0.000123");
+    EXPECT_EQ(shown(.0002, 0, 1, false), "0.0002") << "as long as its neighbours of a drag";
+    EXPECT_EQ(shown(.12345678, 0, 1, false), "0.1235");
+}
+
+TEST(UiNumbers, NothingIsMinusZero) {
+    for (const auto& [min, max] : {std::pair(-1., 1.), {-1e-12, 1e-12}, {-1e9, 1e9}, {0., 0.}})
+        EXPECT_EQ(shown(-0., min, max, false), shown(0., min, max, false));
+    EXPECT_FALSE(std::signbit(tidy(-1e-20, -1, 1, false)));
+    EXPECT_EQ(shown(-0., -1, 1, true), "0");
+    EXPECT_EQ(exact(-0.), "0");
+    for (const char* text : {"-0", "0*-1"}) {
+        ASSERT_TRUE(typed(text, ValueType::float_)) << text;
+        EXPECT_FALSE(std::signbit(*typed(text, ValueType::float_))) << text;
+    }
 }
 
 TEST(UiNumbers, TypedNumbersAreFiniteFloats) {

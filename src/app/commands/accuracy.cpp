@@ -1,7 +1,6 @@
 // `snell accuracy`: the error of each rung and its cost, here and now.
 #include <fmt/format.h>
 #include <sys/utsname.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -21,6 +20,7 @@
 #include "src/app/open/complain.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/headless.h"
+#include "src/app/open/progress.h"
 #include "src/app/open/quality.h"
 #include "src/app/open/version.h"
 #include "src/app/open/write_copy.h"
@@ -208,20 +208,6 @@ bool seeks(const AccuracyOptions& options) {
     return !options.no_found && options.ladders.empty() && options.knobs.empty() && options.from != "lattice";
 }
 
-void show_progress(const Progress& progress, std::size_t sweep, std::size_t sweeps, double later) {
-    if (!isatty(STDERR_FILENO)) return;
-    fmt::print(stderr, "\r\033[K{}/{} {}: {} {:.0f} %, about {:.0f} s left", sweep + 1, sweeps, progress.sweep,
-               progress.doing, 100 * std::min(progress.done, 1.0), progress.seconds_left + later);
-    std::fflush(stderr);
-}
-
-// In place of the progress.
-void print_result(const std::string& text) {
-    if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
-    fmt::print("{}", text);
-    std::fflush(stdout);
-}
-
 // A scene that was read, and what of it is measured.
 struct Subject {
     std::string path;
@@ -298,7 +284,9 @@ struct Work {
 class Measurement {
 public:
     Measurement(const AccuracyOptions& options, Work all, Deadline& deadline)
-        : options_(options), all_(all), deadline_(deadline) {}
+        : options_(options), all_(all), deadline_(deadline) {
+        progress_.begin();
+    }
 
     // A quarter of the budget is for the references, which the sweeps of a scene share; less if only knobs need them.
     double reference_seconds() const { return options_.budget / (all_.ladders ? 4 : 8); }
@@ -317,7 +305,7 @@ public:
         how.stop = measuring.stop;
         how.report = measuring.report;
         FoundResult found = search(subject.original(), caps, settings, how);
-        print_result(found_text(found));
+        print(found_text(found));
         report.found.push_back(std::move(found));
         finish(share);
     }
@@ -328,7 +316,7 @@ public:
             if ((sweep.kind == SweepKind::knob) != knobs) continue;
             SweepResult result = measure(bench, sweep, next(sweep.rungs.size(), references));
             result.scene = subject.path;
-            print_result(table_text(result));
+            print(table_text(result));
             report.sweeps.push_back(std::move(result));
             finish(sweep.rungs.size());
         }
@@ -344,7 +332,14 @@ public:
     }
 
 private:
-    MeasureOptions next(std::size_t rungs, References& references) const {
+    // In place of the progress.
+    void print(const std::string& text) {
+        progress_.clear();
+        fmt::print("{}", text);
+        std::fflush(stdout);
+    }
+
+    MeasureOptions next(std::size_t rungs, References& references) {
         const double later_reference = done_.sweeps == 0 ? reference_seconds() : 0;
         const double left = std::max(options_.budget - 1e-3 * watch_.milliseconds() - later_reference, 0.0);
         const double share = left * static_cast<double>(rungs) / static_cast<double>(all_.rungs - done_.rungs);
@@ -360,7 +355,9 @@ private:
         };
         measuring.report = [this, later = left - share](const Progress& progress) {
             deadline_.begin(fmt::format("'{}', {}", progress.sweep, progress.doing));
-            show_progress(progress, done_.sweeps, all_.sweeps, later);
+            progress_.show(fmt::format("{}/{} {}: {}, about {:.0f} s left", done_.sweeps + 1, all_.sweeps,
+                                       progress.sweep, progress.doing, progress.seconds_left + later),
+                           progress.done);
         };
         return measuring;
     }
@@ -373,6 +370,7 @@ private:
     const AccuracyOptions& options_;
     Work all_, done_;
     Deadline& deadline_;
+    ProgressLine progress_;
     runtime::Stopwatch watch_;
 };
 

@@ -276,7 +276,7 @@ std::string exchange(const std::vector<SavedFile>& files, std::string SavedFile:
     std::error_code unknown;
     for (const SavedFile& file : files)
         if (content::whole_file(file.path) != file.*now)
-            return file.path +
+            return utf8::printable(file.path) +
                    (fs::exists(file.path, unknown) ? " was changed meanwhile: it is left as it is" : " is gone");
     for (std::size_t i = 0; i < files.size(); ++i) {
         std::string error = content::rewrite_file(files[i].path, files[i].*next);

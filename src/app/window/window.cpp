@@ -53,7 +53,7 @@ private:
     PixelSize first_size();
     // True if the scene sets its size.
     bool own_size();
-    // Stores the window's size as the one that the user chose.
+    // Stores the window's size as the one that the user chose, unless it is still that of a scene before.
     void remember_size();
     // The state of the picture that was drawn last.
     Carried carry(Recovery recovery);
@@ -116,7 +116,8 @@ private:
     Display display_;
     gl::Caps caps_;
     Patience patience_;
-    bool shown_ = false;  // whether the window was shown
+    bool shown_ = false;     // whether the window was shown
+    PixelSize scenes_size_;  // of the window with the last scene that sets its size
     Workspace workspace_;
     Measuring measuring_;
     Picking picking_;
@@ -232,8 +233,10 @@ bool App::own_size() {
 }
 
 void App::remember_size() {
-    if (options_.size || own_size() || window_->full_screen()) return;
+    if (options_.size || window_->full_screen()) return;
     const PixelSize size = window_->size();
+    if (own_size()) scenes_size_ = size;
+    if (size == scenes_size_) return;
     const double scale = window_->content_scale();
     workspace_.resized(static_cast<int>(std::lround(size.width / scale)),
                        static_cast<int>(std::lround(size.height / scale)));

@@ -89,15 +89,8 @@ struct Maker {
     // Scenes give the two radii in either order; the larger one is the ring's.
     Mesh operator()(Torus s) const {
         if (!positive(s.outer, "outer radius", issues) || !positive(s.inner, "inner radius", issues)) return {};
-        if (s.inner > s.outer) {
-            warn(issues, "torus-radii-swapped",
-                 fmt::format(
-                     "the inner radius {} is larger than the outer radius {}; the larger one is used as the ring's",
-                     s.inner, s.outer));
-            std::swap(s.inner, s.outer);
-        } else if (s.inner == s.outer) {
-            warn(issues, "torus-without-hole", "both radii are equal: the torus has no hole");
-        }
+        if (s.inner > s.outer) std::swap(s.inner, s.outer);
+        if (s.inner == s.outer) warn(issues, "torus-without-hole", "both radii are equal: the torus has no hole");
         at_least(s.sides, 3, "sides", issues);
         at_least(s.rings, 3, "rings", issues);
         fit(std::array{&s.sides, &s.rings}, limits, issues);

@@ -132,7 +132,14 @@ bool hint_semicolon(const Around& a, const Place& place, Diagnostic& diagnostic)
     if (!new_line && a.word(a.at) != "}") return false;
     diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
                                : std::string("a ';' is missing before the '}'");
-    diagnostic.notes.push_back({{place.file, before.end - 1, before.end}, "a ';' is missing after this"});
+    const Span end{place.file, before.end - 1, before.end};
+    if (constexpr std::string_view bare = "syntax error ("; diagnostic.message.starts_with(bare)) {
+        diagnostic.message.replace(0, bare.size() - 2, "a ';' is missing after this");
+        diagnostic.span = end;
+        diagnostic.help.clear();
+    } else {
+        diagnostic.notes.push_back({end, "a ';' is missing after this"});
+    }
     diagnostic.fixes = {{{place.file, before.end, before.end}, ";"}};
     return true;
 }

@@ -18,7 +18,7 @@ void Parser::declarators(const Qualifiers& q, Type type, Group group, bool globa
         give_up();
         if (!global) return skip_to_semicolon();
         u_.groups.back().last = -1;  // not understood: left as it is
-        return skip_declaration();
+        return skip_declaration(u_.groups.back().first);
     }
     ++p_;
     if (global) u_.groups[static_cast<std::size_t>(index)].last = p_ - 1;
@@ -215,7 +215,7 @@ void Parser::function(const Type& result, int first, int name) {
     }
     if (!accept(")")) {
         close_scope();
-        return skip_declaration();
+        return skip_declaration(first);
     }
     f.parameters_end = p_ - 1;
     const auto index = u_.functions.size();

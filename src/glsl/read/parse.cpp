@@ -77,8 +77,20 @@ void Parser::skip_to_semicolon() {
     accept(";");
 }
 
-void Parser::skip_declaration() {
+void Parser::skip_declaration(int first) {
     give_up();
+    skip_to_declaration();
+    // Left as it is; but of words that the driver lacks, it would complain in place of what is wrong.
+    for (int k = first; k < p_; ++k) {
+        const std::string_view word = u_.at(k).text;
+        if (word != "attribute" && word != "varying") continue;
+        const std::string_view next = u_.at(k + 1).text;
+        const bool given = word == "attribute" || u_.stage == Stage::fragment;
+        u_.replace(k, next == "in" || next == "out" ? "" : given ? "in" : "out");
+    }
+}
+
+void Parser::skip_to_declaration() {
     while (!at_end() && !is(";")) {
         if (is("{")) {
             skip_balanced();
@@ -347,7 +359,7 @@ void Parser::external() {
         u_.edit(p_).before = "void ";
         return function(make_type(Base::none), p_, p_);
     }
-    if (!type) return skip_declaration();
+    if (!type) return skip_declaration(first);
     group.type_last = p_ - 1;
     Type base = *type;
     if (is("[")) {

@@ -64,7 +64,8 @@ private:
     Expression initialiser(const Type& due);
     bool starts_declaration() const;
     void give_parameter(int name, const Type& type);
-    void skip_declaration();
+    void skip_declaration(int first);
+    void skip_to_declaration();  // the next one
 
     // statements
     void statement();

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <set>
 
+#include "parser/read/parse.h"
 #include "src/glsl/read/macro.h"
 #include "src/glsl/read/words.h"
 
@@ -437,6 +438,8 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
                            "cannot read the included file '" + std::string(name) + "'" + (got ? ": " + got->why : ""));
         return blank_out(start, end);
     }
+    if (got->inexact)
+        diagnostics_.warning("file-inexact", where, inexact_name(name, got->name), std::string(inexact_name_help));
     if (once_.contains(got->name)) return blank_out(start, end);
     if (std::find(file_name_.begin(), file_name_.end(), got->name) != file_name_.end()) {
         if (!guarded(got->text)) diagnostics_.error("include-cycle", where, "'" + got->name + "' includes itself");

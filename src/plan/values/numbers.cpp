@@ -22,7 +22,7 @@ double read_back(double otherwise, fmt::format_string<Arguments...> format, Argu
     const auto written = fmt::format_to_n(text.data(), text.size(), format, std::forward<Arguments>(arguments)...);
     double value = otherwise;
     read_real(text.data(), text.data() + std::min(written.size, text.size()), value);
-    return value;
+    return unsigned_zero(value);
 }
 
 bool by_ratio(const Track& track) {
@@ -53,6 +53,7 @@ double tidy_color(double value) {
 }
 
 std::string shown(double value, double min, double max, bool integral) {
+    value = unsigned_zero(value);
     if (integral) return fmt::format("{:.0f}", value);
     const double range = std::max({max - min, 0.0});
     const double size = std::max(std::abs(value), range);
@@ -61,10 +62,12 @@ std::string shown(double value, double min, double max, bool integral) {
     const int digits = static_cast<int>(std::ceil(std::log10(range) - 1e-9));  // before the decimal point
     const int decimals = digits <= 0 ? 4 - digits : 5 - digits;
     if (decimals > 9) return fmt::format("{:.4e}", value);
-    return fmt::format("{:.{}f}", value, std::clamp(decimals, 1, 9));
+    std::string text = fmt::format("{:.{}f}", value, std::clamp(decimals, 1, 9));
+    const bool two_digits = std::abs(value) * std::pow(10, decimals) >= 10;
+    return two_digits || read_whole<double>(text) == value ? text : fmt::format("{:.4g}", value);
 }
 
-std::string exact(double value) { return fmt::format("{}", value); }
+std::string exact(double value) { return fmt::format("{}", unsigned_zero(value)); }
 
 namespace {
 
@@ -157,6 +160,7 @@ bool is_whole(ValueType type) {
 
 std::optional<double> fitting(double value, ValueType type) {
     if (is_whole(type)) value = std::round(value);
+    value = unsigned_zero(value);
     return std::isfinite(value) && fit_to_type(value, type) == value ? std::optional(value) : std::nullopt;
 }
 

@@ -10,7 +10,10 @@
 
 namespace snell {
 
-// Formats a value with as many decimals as a thousandth of the range needs, but at least the four that glman shows.
+// 0 for -0, which nobody means.
+constexpr double unsigned_zero(double value) { return value + 0.; }
+// Formats a value with as many decimals as a thousandth of the range needs, but at least the four that glman shows. A
+// value of which these leave less than two digits has its own.
 std::string shown(double value, double min, double max, bool integral);
 // Rounds a value that was dragged to, to as many decimals as are shown (two more if `fine`), so that a saved number is
 // short. The result stays within the range.

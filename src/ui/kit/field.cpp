@@ -212,7 +212,8 @@ double moved(double value, double initial, ImGuiID id, const NumberStyle& style,
 void draw_number(const ImRect& box, double value, const NumberStyle& style, bool hovered, bool held) {
     const ImGuiCol fill = held ? ImGuiCol_FrameBgActive : hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg;
     ImGui::RenderFrame(box.Min, box.Max, ImGui::GetColorU32(fill), true, ImGui::GetStyle().FrameRounding);
-    const Text text = is_whole(style.type) ? Text("{:.0f}", value) : Text("{:.{}g}", value, style.digits);
+    const Text text =
+        is_whole(style.type) ? Text("{:.0f}", value) : Text("{:.{}g}", unsigned_zero(value), style.digits);
     ImGui::RenderTextClipped(box.Min, box.Max, text.begin(), text.end(), nullptr, {.5F, .5F});
 }
 
@@ -309,7 +310,7 @@ bool number_beside(const ImRect& box, double value, const SliderRange& range) {
                        ImGui::GetStyle().FrameRounding);
     const float padding = ImGui::GetStyle().FramePadding.x * .5F;
     std::string text = shown(value, range.min, range.max, is_whole(range.type));
-    if (width_of(text) > box.GetWidth() - 2 * padding) text = fmt::format("{:.3g}", value);
+    if (width_of(text) > box.GetWidth() - 2 * padding) text = fmt::format("{:.3g}", unsigned_zero(value));
     ImGui::RenderTextClipped({box.Min.x + padding, box.Min.y}, {box.Max.x - padding, box.Max.y}, text.data(),
                              text.data() + text.size(), nullptr, {1, .5F});
     return hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "src/plan/values/numbers.h"
@@ -199,9 +200,11 @@ std::string amount_of(const Paid& paid) {
     return paid.bytes > 0 ? bytes_text(paid.bytes) : std::string();
 }
 
-bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout) {
+// `forms`: as how many it is listed, where these are more than there are.
+bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout, std::size_t forms = 0) {
     const float right = ImGui::GetContentRegionMax().x;
-    const Text title("{}: {}", name, count);
+    Text title("{}: {}", name, count);
+    if (forms > count) title.add(", in {} forms", forms);
     const float taken = amount.empty() ? 0 : width_of(amount) + ImGui::GetStyle().ItemSpacing.x;
     const Text shown = shortened(
         title.view(), std::max(1.0F, ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing() - taken));
@@ -209,6 +212,7 @@ bool branch(const char* name, std::size_t count, const std::string& amount, Layo
     toggled_by_keys(open);
     if (!(shown == title.view())) tip(title.view());
     layout.note("costs", name);
+    layout.note("costs.title", title.view());
     right_text(amount, right);
     return open;
 }
@@ -227,12 +231,16 @@ void paid_for(const Facts& facts, Layout& layout) {
     for (const auto& [kind, title] : kinds) {
         std::size_t count = 0;
         std::uint64_t bytes = 0;
+        std::set<std::pair<FileId, std::uint32_t>> statements;
         for (const Paid& paid : facts.explanation->paid)
             if (paid.kind == kind) {
                 ++count;
                 bytes += paid.bytes;
+                if (paid.span) statements.emplace(paid.span->file, paid.span->begin);
             }
-        if (count == 0 || !branch(title, count, bytes > 0 ? bytes_text(bytes) : "", layout)) continue;
+        const std::size_t listed = count;
+        if (kind == Kind::program && !statements.empty()) count = statements.size();
+        if (count == 0 || !branch(title, count, bytes > 0 ? bytes_text(bytes) : "", layout, listed)) continue;
         for (const Paid& paid : facts.explanation->paid)
             if (paid.kind == kind) {
                 const std::string loaded =

@@ -153,6 +153,7 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     turn();
     const double slid = red();
     const std::string turned = view(), text = bytes("one.glib");
+    press("ctrl+3");
     press("ctrl+shift+s");
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
     settle();
@@ -171,6 +172,18 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_EQ(notice(), "saved as two.glib");
     EXPECT_EQ(title().find("\u2022"), std::string::npos) << "everything is saved";
     EXPECT_EQ(state()["errors"], 0);
+    EXPECT_EQ(bytes("two.snapshots.json"), bytes("one.snapshots.json"));
+    slide(.3);
+    press("3");
+    EXPECT_EQ(red(), slid) << "the snapshot came along";
+    press("ctrl+4");
+    press("ctrl+shift+s");
+    user("key ctrl+a");
+    user("type --delay 8 one");
+    press("Return");
+    keep("save-as-with-snapshots");
+    EXPECT_NE(bytes("two.snapshots.json"), bytes("one.snapshots.json")) << "it is asked first";
+    press("Escape");
     press("ctrl+shift+s");
     std::filesystem::create_directory(file("other"));
     user("key ctrl+a");
@@ -183,6 +196,33 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_FALSE(std::filesystem::exists(file("other/three.glib")));
     press("Escape");
     EXPECT_FALSE(state()["widgets"].contains("save as save"));
+}
+
+TEST_F(Past, ASizeIsRememberedIfTheUserChoseItInTheWindow) {
+    const auto remembered = [&] {
+        end_window();
+        const json kept = json::parse(bytes("state/snell/window.json"));
+        return std::pair<int, int>(kept["width"], kept["height"]);
+    };
+    const auto resize = [&](int width, int height) {
+        user("search --sync --name snell windowsize " + std::to_string(width) + " " + std::to_string(height));
+        ASSERT_TRUE(wait([&](const json& s) { return s["size"] == json::array({width, height}); }));
+    };
+    open("one.glib", {"--size", "640x480"});
+    resize(660, 500);
+    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the command line chose it";
+    save("small.glib", "WindowSize 300 250\n" + scene("uRed"));
+    open("small.glib", {"--size", ""});
+    const json small = state()["size"];
+    show("two.glib");
+    EXPECT_EQ(state()["size"], small);
+    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the scene chose it";
+    open("small.glib", {"--size", ""});
+    show("two.glib");
+    resize(700, 500);
+    EXPECT_EQ(remembered(), std::pair(700, 500));
+    open("one.glib", {"--size", ""});
+    EXPECT_EQ(state()["size"], json::array({700, 500}));
 }
 
 TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
@@ -203,6 +243,21 @@ TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
     show("two.glib");
     show("one.glib");
     EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, NoticesAreOneLineWhateverAFileIsCalled) {
+    save("two\nlines.glib", scene("uRed"));
+    open("two\nlines.glib");
+    slide(.75);
+    press("ctrl+2");
+    EXPECT_EQ(notice(), "snapshot 2 is in two\\x0Alines.snapshots.json");
+    press("ctrl+s");
+    EXPECT_EQ(notice(), "1 value saved to two\\x0Alines.glib");
+    std::filesystem::remove(file("two\nlines.glib"));
+    slide(.3);
+    press("ctrl+s");
+    const std::string said = state()["failure"];
+    EXPECT_EQ(said.find("not saved: two\\x0Alines.glib is gone"), 0U) << said;
 }
 
 TEST_F(Past, ASaveIsUndoneAfterAnotherSceneWasShown) {

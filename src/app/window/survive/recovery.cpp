@@ -29,6 +29,7 @@ namespace {
 using Remedy = ui::Failure::Remedy;
 
 std::string short_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+std::string printable_name(const std::string& path) { return utf8::printable(short_name(path)); }
 
 void restore(int number, Document& document, ui::Memory& memory) {
     const Restored restored = restore_snapshot(number, document);
@@ -52,7 +53,15 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     const std::string last = name.substr(name.rfind('/') + 1);
     if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
     SavedAs saved = saved_as(document, name);
-    if (!ui::confirmed(dialog, saved.error.empty() && saved.exists, saved.file.path)) return;
+    // Its snapshots have that name, too, in place of those that were there.
+    const std::string snapshots = content::whole_file(snapshots_file(document.path)),
+                      others = snapshots_file(saved.file.path), there = content::whole_file(others);
+    const bool carries = !snapshots.empty() && snapshots != there, replaces = carries && !there.empty();
+    const std::string existing = !replaces      ? saved.file.path
+                                 : saved.exists ? saved.file.path + " with its snapshots"
+                                                : others;
+    if (!ui::confirmed(dialog, saved.error.empty() && (saved.exists || replaces), existing)) return;
+    if (saved.error.empty() && carries) saved.error = content::replace_file(others, snapshots);
     if (saved.error.empty()) saved.error = content::replace_file(saved.file.path, saved.file.after);
     dialog.error = std::move(saved.error);
     if (!dialog.error.empty()) return;
@@ -103,8 +112,8 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
     served.what = "save to";
     for (const SavedFile& file : saved.files) {
-        notice += " " + short_name(file.path);
-        served.what += " " + short_name(file.path);
+        notice += " " + printable_name(file.path);
+        served.what += " " + printable_name(file.path);
     }
     std::string unwritten;
     for (const Unwritten& value : saved.unwritten)
@@ -128,7 +137,7 @@ void Keeper::store(int number, Setup values, ui::Memory& memory, Served& served)
     for (const Remedy mended : {Remedy::store, Remedy::recall, Remedy::absent}) memory.failures.done(mended, number);
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
-    memory.notice = fmt::format("snapshot {} is in {}", number, short_name(file));
+    memory.notice = fmt::format("snapshot {} is in {}", number, printable_name(file));
 }
 
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files) {
