@@ -203,7 +203,7 @@ TEST_F(Outputs, PlotsAreNumberedBeforeTheirExtension) {
 TEST_F(Outputs, PagesNameTheirPlots) {
     for (const std::string& page : {std::string("out/page.md"), folder.path("out/page.md")}) {
         const Outcome outcome = in_folder(
-            "accuracy s.glib --ladders WAY --reps 7 --budget 1 --size 8x8 --svg ./p.svg "
+            "accuracy s.glib --ladders WAY --reps 7 --budget 60 --size 8x8 --svg ./p.svg "
             "--markdown " +
             page);
         EXPECT_EQ(outcome.status, 0) << outcome.output;

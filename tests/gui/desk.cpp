@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <thread>
 
 #include "tests/gui/desk.h"
@@ -78,6 +79,47 @@ std::string read_all(int from) {
         text.append(part.data(), static_cast<std::size_t>(size));
     return text;
 }
+
+struct Server {
+    pid_t process = 0;
+    std::string display;
+};
+
+// One display for all tests of its size, as long as each leaves it as it was: it takes a third of what a window takes.
+class Servers {
+public:
+    static const Server& of(const std::string& screen) {
+        static Servers all;
+        Server& server = all.servers_[screen];
+        // The last window's connection may close a moment after its process.
+        for (int look = 0; look < 20 && !server.display.empty(); ++look, sleep(.01))
+            if (renew(server.display)) return server;
+        end(server.process);
+        return server = begin(screen);
+    }
+
+private:
+    ~Servers() {
+        for (auto& [screen, server] : servers_) end(server.process);
+    }
+    static Server begin(const std::string& screen) {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) return {};
+        // Without -noreset it goes away for a moment while a window is replaced by another one and nobody else is
+        // there.
+        Server server;
+        server.process =
+            start({"Xvfb", "-displayfd", "1", "-screen", "0", screen, "-noreset", "-nolisten", "tcp"}, "", {ends[1]});
+        ::close(ends[1]);
+        std::string number;
+        for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
+        ::close(ends[0]);
+        if (!number.empty()) server.display = ":" + number;
+        return server;
+    }
+
+    std::map<std::string, Server> servers_;
+};
 
 std::string output_of(const std::vector<std::string>& words, const std::string& display) {
     int ends[2];
@@ -149,23 +191,16 @@ void Desk::SetUp() {
     for (const char* program : {"Xvfb", "xdotool", "import"})
         if (!installed(program)) GTEST_SKIP() << program << " is not installed";
     std::filesystem::create_directory(file("out"));
-    int ends[2];
-    ASSERT_EQ(pipe(ends), 0);
     // What windows remember from run to run is the test's own.
     setenv("XDG_STATE_HOME", file("state").c_str(), 1);
     // The driver's cache stays where it is: it takes time to fill.
     const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
     if (cache || home) setenv("MESA_SHADER_CACHE_DIR", cache ? cache : (std::string(home) + "/.cache").c_str(), 0);
     setenv("XDG_CACHE_HOME", file("cache").c_str(), 1);
-    // Without -noreset it goes away for a moment while a window is replaced by another one and nobody else is there.
-    server_ =
-        start({"Xvfb", "-displayfd", "1", "-screen", "0", screen_, "-noreset", "-nolisten", "tcp"}, "", {ends[1]});
-    ::close(ends[1]);
-    std::string number;
-    for (char digit = 0; read(ends[0], &digit, 1) == 1 && digit != '\n';) number += digit;
-    ::close(ends[0]);
-    ASSERT_FALSE(number.empty()) << "Xvfb does not start";
-    display_ = ":" + number;
+    const Server& server = Servers::of(screen_);
+    server_ = server.process;
+    display_ = server.display;
+    ASSERT_FALSE(display_.empty()) << "Xvfb does not start";
 }
 
 void Desk::TearDown() {
@@ -173,7 +208,6 @@ void Desk::TearDown() {
     if (HasFailure())
         for (const char* name : {"out/state.json", "out/errors"}) std::cerr << bytes(name) << '\n';
     end(window_);
-    end(server_);
 }
 
 // By its button: sanitizers look for leaks when a program ends by itself.

@@ -5,6 +5,7 @@
 #include <X11/Xutil.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <memory>
 
@@ -197,6 +198,25 @@ Picture screen_of(const std::string& display) {
     }
     XDestroyImage(image);
     return picture;
+}
+
+bool renew(const std::string& display) {
+    const std::unique_ptr<Display, Closer> connection(XOpenDisplay(display.c_str()));
+    if (!connection) return false;
+    const ::Window root = DefaultRootWindow(connection.get());
+    const int number = DefaultScreen(connection.get());
+    ::Window on = 0, child = 0;
+    int x = 0, y = 0;
+    unsigned held = 0;
+    std::array<char, 32> keys{};
+    XQueryPointer(connection.get(), root, &on, &child, &x, &y, &x, &y, &held);
+    XQueryKeymap(connection.get(), keys.data());
+    if (held != 0 || keys != std::array<char, 32>{} || !windows_of(connection.get()).empty()) return false;
+    XDeleteProperty(connection.get(), root, XA_RESOURCE_MANAGER);
+    XWarpPointer(connection.get(), None, root, 0, 0, 0, 0, DisplayWidth(connection.get(), number) / 2,
+                 DisplayHeight(connection.get(), number) / 2);
+    XSync(connection.get(), False);
+    return true;
 }
 
 bool set_dots_per_inch(const std::string& display, int dots) {

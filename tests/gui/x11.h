@@ -22,6 +22,9 @@ bool tell_windows(const std::string& display, const std::function<void()>& tell)
 // What the screen shows; without pixels if there is no such display.
 Picture screen_of(const std::string& display);
 
+// Makes a display without windows what it was when it began. False: a button or a key is held down, or there is none.
+bool renew(const std::string& display);
+
 // What desktops set for screens of many dots per inch, before windows are opened.
 bool set_dots_per_inch(const std::string& display, int dots);
 
