@@ -87,12 +87,6 @@ inline std::string check_control(const Control& control) {
     return {};
 }
 
-inline std::vector<std::vector<double>> values_of(const Controls& controls) {
-    std::vector<std::vector<double>> values;
-    for (const Control& control : controls.items) values.push_back(control.value);
-    return values;
-}
-
 inline std::string check_assignment(Settable& settable, std::string_view assignment) {
     const auto before = values_of(settable.controls);
     Diagnostics diagnostics;

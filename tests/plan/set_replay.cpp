@@ -42,7 +42,7 @@ TEST(SetNotFinite, NoUniformOfAnyKindTakesIt) {
                 Diagnostics diagnostics;
                 EXPECT_FALSE(set_control(fresh.controls, fresh.scene, text, diagnostics)) << text;
                 EXPECT_TRUE(diagnostics.has_errors()) << text;
-                EXPECT_EQ(fuzz::values_of(fresh.controls), fuzz::values_of(all.controls)) << text;
+                EXPECT_EQ(values_of(fresh.controls), values_of(all.controls)) << text;
             }
         }
     // What is finite as a double and not as a float is refused where it would become infinite.
