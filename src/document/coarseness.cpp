@@ -46,17 +46,32 @@ bool Coarseness::foresaw(double ms, double now) {
 
 double Coarseness::due() const { return grain_ > 0 ? until_ : std::numeric_limits<double>::infinity(); }
 
-double foresee(int width, int height, double enough, double& point,
-               const std::function<double(int width, int height)>& timed) {
-    constexpr int largest = 64, least = 4;      // divisors of width and height
-    constexpr double tells = 300, ends = 2000;  // milliseconds of a small picture: it is believed; it is the last
+namespace {
+
+constexpr double tells = 300, ends = 2000;  // milliseconds of a trial: it is believed; it is the last
+
+// What vertices and textures of a fixed size take does not grow with the picture: 0, or more than enough.
+double foresee_rounds(double rounds, double enough, Foresight& known,
+                      const std::function<double(const Trial&)>& timed) {
+    for (double some = known.rounds; some < rounds; known.rounds = some *= 2) {
+        double milliseconds = timed({1, 1, some});
+        if (milliseconds > tells && milliseconds < ends) milliseconds = std::min(milliseconds, timed({1, 1, some}));
+        const double whole = milliseconds * rounds / some;
+        if (milliseconds > tells && whole > enough) return whole;
+    }
+    return 0;
+}
+
+double foresee_pixels(int width, int height, double rounds, double enough, double& point,
+                      const std::function<double(const Trial&)>& timed) {
+    constexpr int largest = 64, least = 4;                       // divisors of width and height
     constexpr double compiled = .7, growing = 1.6, unsure = .3;  // times the milliseconds of a single pixel
     constexpr int tell_apart = 64;  // pixels that take longer than one, if the work is theirs
     const auto side = [](int pixels, int divisor) { return std::max(pixels / divisor, 1); };
     const auto others = [&](int divisor) {  // pictures of this size
         return static_cast<double>(width) * height / side(width, divisor) / side(height, divisor) - 1;
     };
-    const auto at = [&](int divisor) { return timed(side(width, divisor), side(height, divisor)); };
+    const auto at = [&](int divisor) { return timed({side(width, divisor), side(height, divisor), rounds}); };
     double whole = 0;
     const auto quick = [&](int divisor) { return whole + unsure * point * others(divisor) <= enough; };
     if (std::isfinite(point)) {
@@ -65,14 +80,15 @@ double foresee(int width, int height, double enough, double& point,
         if (quick(largest)) return whole;
     }
     // What does not grow with the size, as the work for vertices does, is all that a single pixel takes.
-    whole = point = timed(1, 1);
+    whole = point = timed({1, 1, rounds});
     if (point > enough) return point;
     for (int divisor = largest; divisor >= least; divisor /= 2) {
         if (side(width, divisor) * side(height, divisor) < tell_apart && divisor > least) continue;
         double milliseconds = at(divisor);
         const auto grows = [&] { return milliseconds > growing * point; };
         // That of a single pixel had waited for the compiler or something else.
-        if (milliseconds < compiled * point || (milliseconds > ends && !grows())) point = std::min(point, timed(1, 1));
+        if (milliseconds < compiled * point || (milliseconds > ends && !grows()))
+            point = std::min(point, timed({1, 1, rounds}));
         const auto of_all = [&] {
             const bool told = grows() || milliseconds < ends || divisor == least;
             return milliseconds + (told ? std::max(milliseconds - point, 0.) * others(divisor) : 0);
@@ -86,6 +102,14 @@ double foresee(int width, int height, double enough, double& point,
         }
     }
     return whole;
+}
+
+}  // namespace
+
+double foresee(int width, int height, double rounds, double enough, Foresight& known,
+               const std::function<double(const Trial&)>& timed) {
+    const double lasts = foresee_rounds(rounds, enough, known, timed);
+    return lasts > 0 ? lasts : foresee_pixels(width, height, rounds, enough, known.point, timed);
 }
 
 }  // namespace snell

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <string_view>
 
 namespace snell {
@@ -55,12 +56,24 @@ private:
     double moved_ = -1e9, until_ = -1e9;  // when the picture changed last; when it becomes sharp
 };
 
-// About how many milliseconds a picture of width x height pixels takes, found by one of a single pixel and small ones,
-// each of which has four times as many pixels as the one before, until a whole one is seen to take no more than
-// `enough`, or a small one takes long itself. `timed` draws one of that size and returns its milliseconds, which are
-// more where something else kept the machine busy, or a compiler. `point`: what a single pixel took when it was asked
-// before, with which one small picture is enough if a whole one is quick still; infinity: it was not.
-double foresee(int width, int height, double enough, double& point,
-               const std::function<double(int width, int height)>& timed);
+// A picture that is drawn to be timed: its size, and how many times longer than short its loops are at most.
+struct Trial {
+    int width, height;
+    double rounds;
+};
+
+// What earlier trials of a scene found.
+struct Foresight {
+    double point = std::numeric_limits<double>::infinity();  // milliseconds of a single pixel
+    double rounds = 1;                                       // times longer than short, of loops that do not last
+};
+
+// About how many milliseconds a picture of width x height pixels takes, whose loops are `rounds` times longer than
+// short. First come pictures of a single pixel, each of which has loops of twice as many rounds as the one before; then
+// small ones, each of which has four times as many pixels, until a whole one is seen to take no more than `enough`, or
+// a trial takes long itself. `timed` returns its milliseconds, which are more where something else kept the machine
+// busy, or a compiler. Where earlier ones tell, a single one is enough if the picture is quick still.
+double foresee(int width, int height, double rounds, double enough, Foresight& known,
+               const std::function<double(const Trial&)>& timed);
 
 }  // namespace snell

@@ -17,6 +17,23 @@ namespace snell {
 
 namespace {
 
+template <class Programs, class Each>
+void each_loops(const Programs& programs, const Each& each) {
+    for (const auto& [key, linked] : programs)
+        if (linked)
+            for (const glsl::LongLoops& loops : linked->long_loops) each(key.first, loops);
+}
+
+// Calls `each` for the values that bound loops, and the largest ones for which these are short.
+template <class Programs, class Values, class Each>
+void each_bound(const Programs& programs, Values& values, const Each& each) {
+    each_loops(programs, [&](Index program, const glsl::LongLoops& loops) {
+        for (const std::string& name : loops.bounds)
+            if (auto* control = values.find(program, name))
+                for (auto& value : control->value) each(value, loops.up_to);
+    });
+}
+
 std::optional<Runtime::Held> held_of(const runtime::GpuTexture* gpu) {
     if (!gpu) return std::nullopt;
     const int longest = *ranges::max_element(gpu->size);
@@ -69,18 +86,22 @@ const Controls& Runtime::controls() const { return impl_->given; }
 const Diagnostics& Runtime::value_problems() const { return impl_->value_problems; }
 bool Runtime::animated() const { return impl_->animated; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
-bool Runtime::long_loops(const Controls* values) const {
-    const auto long_for = [&](Index program, const glsl::LongLoops& loops) {
-        const auto large = [&](const std::string& name) {
-            const Control* control = values->find(program, name);
-            return control && ranges::any_of(control->value, [&](double x) { return !(std::abs(x) <= loops.up_to); });
-        };
-        return !values || loops.up_to < 0 || ranges::any_of(loops.bounds, large);
-    };
-    return ranges::any_of(impl_->programs, [&](const auto& each) {
-        const auto is_long = [&](const glsl::LongLoops& loops) { return long_for(each.first.first, loops); };
-        return each.second && ranges::any_of(each.second->long_loops, is_long);
+double Runtime::long_loops(const Controls& values) const {
+    double most = 0;
+    each_loops(impl_->programs, [&](Index, const glsl::LongLoops& loops) { most = loops.up_to < 0 ? 1 : most; });
+    each_bound(impl_->programs, values, [&](double value, double up_to) {
+        if (!(std::abs(value) <= up_to)) most = std::max(most, std::isnan(value) ? 1 : std::abs(value) / up_to);
     });
+    return most;
+}
+bool Runtime::may_have_long_loops() const {
+    bool may = false;
+    each_loops(impl_->programs, [&](Index, const glsl::LongLoops&) { may = true; });
+    return may;
+}
+void Runtime::shorten_loops(Controls& values, double times) const {
+    each_bound(impl_->programs, values,
+               [&](double& value, double up_to) { value = std::clamp(value, -times * up_to, times * up_to); });
 }
 bool Runtime::sampled(Index texture) const {
     return impl_->textures.asked(texture) || impl_->dormant_textures.contains(impl_->textures.first(texture));

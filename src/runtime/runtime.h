@@ -109,8 +109,13 @@ public:
     // Some drawn program reads Timer or uTime: every moment is another picture.
     bool animated() const;
     bool uses_mouse() const;
-    // Loops of some program may be long, as glsl::LongLoops says: with these values, or with some.
-    bool long_loops(const Controls* values = nullptr) const;
+    // Loops of some program are long, as glsl::LongLoops says, with some values of its uniforms.
+    bool may_have_long_loops() const;
+    // How many times larger the values are than those with which all loops are short: 0 if they are short; at least 1
+    // if nobody knows.
+    double long_loops(const Controls& values) const;
+    // Makes the values that bound loops at most so many times larger than those.
+    void shorten_loops(Controls& values, double times) const;
     // Something that is drawn reads the texture (Scene::textures), directly or by what is computed from it.
     bool sampled(Index texture) const;
 

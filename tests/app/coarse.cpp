@@ -145,14 +145,16 @@ TEST_F(Dragged, TheFirstPictureOfAGrainMayCompile) {
 // A machine on which a picture takes so many milliseconds for what does not grow with it and for its pixels, the first
 // one what the compiler takes besides, and any up to `noise` times as much.
 struct Machine {
-    double fixed, pixels, compiler, noise;
+    double fixed, pixels, compiler, noise, rounds = 1;
 
     static constexpr int width = 1280, height = 720;
     double whole() const { return fixed + pixels; }
     double foreseen(double enough, double point, std::mt19937& random, double& spent) const {
         bool first = true;
-        return foresee(width, height, enough, point, [&](int across, int up) {
-            const double steady = fixed + pixels * across * up / width / height;
+        Foresight known{point, 1};
+        return foresee(width, height, rounds, enough, known, [&](const Trial& trial) {
+            const double share = static_cast<double>(trial.width) * trial.height / width / height;
+            const double steady = (fixed + pixels * share) * trial.rounds / rounds;
             const double factor = std::uniform_real_distribution<>(1, noise)(random);
             const double milliseconds = steady * factor + (std::exchange(first, false) ? compiler : 0);
             spent += milliseconds;
@@ -191,6 +193,22 @@ TEST(Foresee, OneSmallPictureIsEnoughAfterTheFirstTime) {
     double spent = 0;
     machine.foreseen(5000, 1, random, spent);
     EXPECT_LT(spent, 1.1);
+}
+
+TEST(Foresee, LoopsOfVerticesAreToldByShorterOnes) {
+    std::mt19937 random{7};
+    constexpr double enough = 5000;
+    for (const double fixed : {100., 3000., 30e3, 3.6e6})
+        for (const double noise : {1., 1.3}) {
+            const Machine machine{fixed, 50, 300, noise, 1000};
+            double spent = 0;
+            const double milliseconds =
+                machine.foreseen(enough, std::numeric_limits<double>::infinity(), random, spent);
+            SCOPED_TRACE(testing::Message() << fixed << " ms, noise " << noise << ": " << milliseconds);
+            EXPECT_TRUE(fixed < enough || std::abs(milliseconds / machine.whole() - 1.2) < .5);
+            EXPECT_TRUE(fixed > enough || milliseconds < enough * 1.5);
+            EXPECT_LT(spent, fixed > enough ? 8e3 : 6 * fixed * noise + 1e3) << "looking ahead takes long itself";
+        }
 }
 
 }  // namespace

@@ -304,16 +304,21 @@ TEST_F(Language, LoopsThatAUniformBoundsAreLongForLargeValues) {
                  "gl_FragColor = vec4(x, float(uColor), 0., 1.); }\n");
     auto document = open("Vertex plain.vert\nFragment rounds.frag\nProgram P uN 5 uColor 100000\nQuadXY\n");
     ASSERT_TRUE(document->runtime);
-    const auto with = [&](double rounds) {
-        document->controls.find(0, "uN")->value = {rounds};
-        return document->runtime->long_loops(&document->controls);
+    double& rounds = document->controls.find(0, "uN")->value[0];
+    const auto with = [&](double value) {
+        rounds = value;
+        return document->runtime->long_loops(document->controls);
     };
-    EXPECT_TRUE(document->runtime->long_loops());
-    EXPECT_FALSE(with(5));
-    EXPECT_FALSE(with(256));
-    EXPECT_TRUE(with(257));
-    EXPECT_TRUE(with(-257));
-    EXPECT_TRUE(with(std::nan("")));
+    EXPECT_TRUE(document->runtime->may_have_long_loops());
+    EXPECT_EQ(with(5), 0);
+    EXPECT_EQ(with(256), 0);
+    EXPECT_EQ(with(512), 2);
+    EXPECT_EQ(with(-512), 2);
+    EXPECT_EQ(with(std::nan("")), 1);
+    with(5000);
+    document->runtime->shorten_loops(document->controls, 3);
+    EXPECT_EQ(rounds, 768);
+    EXPECT_EQ(document->controls.find(0, "uColor")->value[0], 100000);
 }
 
 }  // namespace

@@ -103,8 +103,9 @@ double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
     constexpr double surely = 8, spent = .02;  // times less than enough; a share of the time, while only the view moves
     Document& shown = *scene.document();
     const Document* reference = moment.split < 1 ? scene.reference(caps_) : nullptr;
-    const auto may_be_long = [](const Document& one) { return one.runtime->long_loops(&one.controls); };
-    if (!may_be_long(shown) && !(reference && may_be_long(*reference))) return 0;
+    const auto length = [](const Document* one) { return one ? one->runtime->long_loops(one->controls) : 0; };
+    const double rounds = std::min<double>(std::max(length(&shown), length(reference)), glsl::most_rounds);
+    if (rounds == 0) return 0;
     if (looked_.document != &shown || looked_.rungs != shown.controls.rungs) looked_ = {&shown, shown.controls.rungs};
     std::vector<double> values = values_of(shown.controls);
     const double begun = now();
@@ -112,16 +113,22 @@ double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
     looked_.values = std::move(values);
     const gl::Pixels pixels = shown.runtime->display_pixels();
     if (ahead_.pixels != pixels) ahead_ = {};
-    looked_.whole = snell::foresee(moment.width, moment.height, enough, looked_.point, [&](int width, int height) {
+    const auto timed = [&](const Trial& trial) {
         Moment small = moment;
-        small.width = width;
-        small.height = height;
+        small.width = trial.width;
+        small.height = trial.height;
+        Controls all = shown.controls;
+        if (trial.rounds < rounds) shown.runtime->shorten_loops(shown.controls, trial.rounds);
         const double from = now();
-        if (ahead_.width != width || ahead_.height != height) ahead_ = gl::make_target(width, height, 1, pixels);
-        draw_both(scene, caps_, small, 0, {ahead_.framebuffer.get(), width, height});
+        if (ahead_.width != trial.width || ahead_.height != trial.height)
+            ahead_ = gl::make_target(trial.width, trial.height, 1, pixels);
+        draw_both(scene, caps_, small, 0, {ahead_.framebuffer.get(), trial.width, trial.height});
         gl::read_rgba8(ahead_.framebuffer.get(), 1, 1, 1, pixels);  // waits for it
-        return (now() - from) * 1e3;
-    });
+        const double milliseconds = (now() - from) * 1e3;
+        shown.controls = std::move(all);
+        return milliseconds;
+    };
+    looked_.whole = snell::foresee(moment.width, moment.height, rounds, enough, looked_.known, timed);
     looked_.again = now() + (now() - begun) * (1 / spent - 1);
     return looked_.whole;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,8 +59,9 @@ private:
         const Document* document = nullptr;
         Rungs rungs = {};
         std::vector<double> values = {};
-        double whole = 0, point = std::numeric_limits<double>::infinity();  // in milliseconds
-        double again = 0;                                                   // when another view is looked at again
+        Foresight known;
+        double whole = 0;  // in milliseconds
+        double again = 0;  // when another view is looked at again
     } looked_;
 };
 

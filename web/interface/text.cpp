@@ -131,7 +131,7 @@ Json shown_json(const Document& document, Sliders& sliders) {
             {"height", scene.window_size[1]},
             {"animated", animated},
             {"usesMouse", document.runtime->uses_mouse()},
-            {"longLoops", document.runtime->long_loops()},
+            {"longLoops", document.runtime->may_have_long_loops()},
             {"period", animated && reads_timer(document) ? scene.timer_period : 0},
             {"files", document.files->read_paths()},
             {"counters", counters_json(document.runtime->counters())}};

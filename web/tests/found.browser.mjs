@@ -220,6 +220,27 @@ void main() {
     await page.close();
 });
 
+// What the picture's size does not change is told by shorter loops: the page asks after seconds of it, not after minutes.
+for (const [name, stage, drawn] of [
+    ['vertices', 'vert', 'Sphere .9 400 400'],
+    ['a texture', 'frag', 'RenderToTexture 5\nQuadXY 0. 1. 1 1\nRenderToTexture\nFragment b.frag\nProgram B uT 5\nQuadXY 0. 1. 1 1'],
+])
+    test(`long loops of ${name} are told by short ones`, async () => {
+        const loop = 'for (int i = 0; i < uN; ++i) a = fract(a * 1.1 + sin(float(i) * vST.x));';
+        const place = 'gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex';
+        const begins = '#version 150 compatibility\nuniform int uN;\n';
+        const { page } = await opened({
+            'l.glib': `Ortho -1. 1. -1. 1.\nLookAt 0 0 1  0 0 0  0 1 0\nTexture2D 5 1024 1024\nVertex p.vert\nFragment p.frag\nProgram P uN <1 200000 250000>\n${drawn}\n`,
+            'p.vert': `${begins}out vec2 vST;\nvoid main() { vST = gl_MultiTexCoord0.st; float a = 0.; ${stage === 'vert' ? loop : ''} ${place} + vec4(1e-9 * a); }\n`,
+            'p.frag': `${begins}in vec2 vST;\nvoid main() { float a = .2; ${stage === 'frag' ? loop : ''} gl_FragColor = vec4(a, vST, 1.); }\n`,
+            'b.frag': '#version 150 compatibility\nuniform sampler2D uT;\nin vec2 vST;\nvoid main() { gl_FragColor = texture(uT, vST); }\n',
+        });
+        const began = Date.now();
+        await until(page, () => document.querySelector('dialog[open][aria-label="This scene takes long"]'));
+        assert(Date.now() - began < 20_000, 'the page stood still');
+        await page.close();
+    });
+
 test('work for vertices is not taken for work that grows with the picture', async () => {
     const moving = 'uniform float uA;\nvoid main() { float x = uA; for (int i = 0; i < 4000; ++i) x = fract(sin(x) * 43758.5); gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex + vec4(x * 1e-9); }\n';
     const plain = 'uniform float uA;\nvoid main() { gl_FragColor = vec4(uA, 1., 0., 1.); }\n';

@@ -47,7 +47,7 @@ bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
     if (wanted.sharp || other || (wanted.runs && runs && !may_be_coarse)) coarseness_ = {};
     if (std::exchange(held_, wanted.held) && !wanted.held) coarseness_.released();
     next_.grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
-    const bool may_last = !wanted.sharp && next_.grain == 0 && document.runtime->long_loops(&document.controls);
+    const bool may_last = !wanted.sharp && next_.grain == 0 && document.runtime->long_loops(document.controls) > 0;
     ahead_ = may_last && (other || moves || may_be_coarse);
     const bool strips = may_last && !ahead_ && drawn_.grain > 0 && !wanted.again && coarseness_.lasts();
     if (!strips)
