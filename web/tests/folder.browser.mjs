@@ -317,6 +317,40 @@ test('edits survive a reload, are offered with their time, and taken or discarde
     }
 });
 
+test('drafts of several visits are offered one by one', async () => {
+    const offered = (heading, text) =>
+        until(
+            page,
+            (heading, text) => {
+                const offer = document.querySelector('.editor-dialog[open]')?.textContent ?? '';
+                return offer.includes(heading) && offer.includes(text);
+            },
+            heading,
+            text,
+        );
+    for (const more of ['# first visit ', '# second visit ']) {
+        await (await page.$('.editor-code >>> .cm-content')).click();
+        await chord(page, 'Home');
+        await page.keyboard.type(more);
+        await shown(more.trim());
+        await new Promise((resolve) => setTimeout(resolve, 700));
+        await page.reload();
+        await offered('Edits that were not saved', 'room/a.glib');
+        if (more.startsWith('# first')) await press(page, 'Cancel', '.editor-dialog[open]');
+        else break;
+        await openText(page);
+    }
+    await offered('(1 of 2)', 'room/a.glib');
+    await press(page, 'Discard', '.editor-dialog[open]');
+    await offered('(2 of 2)', 'room/a.glib');
+    await press(page, 'Take the edits', '.editor-dialog[open]');
+    await openText(page);
+    await shown('# first visit');
+    await chord(page, 'Home');
+    await press(page, 'Save', '.tools');
+    await message(/^Saved/);
+});
+
 test('an edit that is made while a draft is written is kept, too', async () => {
     await (await page.$('.editor-code >>> .cm-content')).click();
     await chord(page, 'Home');

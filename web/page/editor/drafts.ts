@@ -52,20 +52,27 @@ export class Drafts {
         this.host.say('This browser keeps no drafts here: download or save your edits before you leave the page.');
     }
 
-    // Offers what an earlier visit has left of this scene.
+    // Offers what earlier visits have left of this scene, the last one first.
     async opened(): Promise<void> {
         this.safe = true;
-        const { host, session } = this;
-        const { place } = host;
+        const { place } = this.host;
         const found = (await all('drafts')).filter(({ id }) => !id.endsWith(this.#visit));
         for (const each of found) if (Date.now() - each.when > oldest) void drop('drafts', each.id);
-        const draft = found.find((each) => each.place === place);
-        if (!draft || host.place !== place) return;
+        const drafts = found.filter((each) => each.place === place);
+        for (const [i, draft] of drafts.entries()) {
+            if (this.host.place !== place) return;
+            await this.#offer(draft, drafts.length > 1 ? ` (${i + 1} of ${drafts.length})` : '');
+        }
+    }
+
+    async #offer(draft: Draft, which: string): Promise<void> {
+        const { host, session } = this;
+        const { place } = host;
         const there = new Set(session.names());
         const fits = draft.texts.every(({ name, base }) => there.has(name) && same(session.bytes(name), base));
         const taken = fits ? { text: 'Take the edits', value: 'take' } : { text: 'Download the edited texts', value: 'download' };
         const newer = fits ? '' : ' They belong to an older text than the scene has now.';
-        const answer = await ask('Edits that were not saved', `${time(draft)}: edits of ${names(draft)}.${newer}`, [
+        const answer = await ask(`Edits that were not saved${which}`, `${time(draft)}: edits of ${names(draft)}.${newer}`, [
             taken,
             { text: 'Discard the edits', value: 'discard' },
         ]);
