@@ -421,7 +421,10 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
         status_line(facts, parts.status, memory, layout);
         if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     }
-    float begin = problems_panel(facts, parts.scene, fonts, memory, requests, layout);
+    // Where notices and the names of the states need the panel's room, failures are answered first, so that some of the
+    // panel is seen; errors are still counted below.
+    const bool failed = !has_room(parts.scene) && !memory.failures.open.empty();
+    float begin = failed ? parts.scene.y : problems_panel(facts, parts.scene, fonts, memory, requests, layout);
     // Where both need the panel's room, errors go first.
     if (memory.panel && (begin <= parts.scene.y || has_room(parts.scene)))
         begin = flags_legend(facts, {parts.scene.x, begin, parts.scene.width, parts.scene.height - begin},
@@ -433,9 +436,6 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
     blank_halves(facts, parts.scene, memory.accuracy);
     if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
         accuracy_divider(parts.scene, memory.accuracy, layout);
-    // Where notices and the names of the states need the panel's room, failures are answered first, so that some of the
-    // panel is seen.
-    const bool failed = !has_room(parts.scene) && !memory.failures.open.empty();
     const float end =
         failed ? parts.scene.y + parts.scene.height : state_bar(facts, parts.scene, memory.accuracy, layout);
     const float first =

@@ -64,6 +64,19 @@ TEST_F(SlowPictures, BeginCoarseWhereverTheyComeFrom) {
     EXPECT_EQ(drawn(), (std::array{1, 1}));
 }
 
+// What is picked changes no pixel's colour, and still the picture is drawn again.
+TEST_F(SlowPictures, OfWhatIsPickedComeInStrips) {
+    open("slow.glib", {"--no-specialise"});
+    const int before = state()["strips"];
+    EXPECT_GT(before, 1) << "opened";
+    const std::array<double, 4> scene = state()["scene"];
+    user("key p mousemove " + std::to_string(static_cast<int>(scene[0] + scene[2] / 2)) + " " +
+         std::to_string(static_cast<int>(scene[1] + scene[3] / 2)) + " click 1");
+    EXPECT_TRUE(wait([&](const json& s) { return s["strips"] > before + 1; }));
+    settle();
+    EXPECT_EQ(state()["grain"], 0);
+}
+
 TEST_F(SlowPictures, OfATypedValueBeginCoarseAndQuickOnesDoNot) {
     save("paint.frag", shader("60000"));  // so that only a picture tells
     open("quick.glib", {"--no-specialise"});

@@ -76,6 +76,18 @@ TEST_F(SmallestWindow, ANoticeOverTwoStatesLeavesSomeOfThePanelInTheSmallestWind
     EXPECT_TRUE(visible("accuracy.swap"));
 }
 
+TEST_F(SmallestWindow, AFailureIsSeenBeforeErrorsInTheSmallestWindow) {
+    errors();
+    memory_.failures.open = {{"not saved: no space left", Failure::Remedy::save}};
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    settle();
+    EXPECT_TRUE(has("failure.ok"));
+    click(place("failure.ok"));
+    settle();
+    EXPECT_FALSE(has("failure.ok"));
+    EXPECT_TRUE(has("problems.hide"));
+}
+
 const Panel panels[] = {
     {"programs", "Glass.uEta", &Screens::programs},
     {"many-sliders", "filter", &Screens::many_sliders},
@@ -93,7 +105,7 @@ const Panel panels[] = {
     {"values", "Glass.uEta", &Screens::values},
     {"errors", "problem.0", &Screens::errors},
     {"messages", "message.ok", &Screens::messages},
-    {"everything", "problems.hide", &Screens::everything},
+    {"everything", "failure.again", &Screens::everything},
     {"first-picture", "first picture", &Screens::first_picture},
     {"failures", "failure.again", &Screens::failures},
     {"states-and-a-notice", "failure.store", &Screens::states_and_a_notice},

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double worth_compiling = 4;  // milliseconds of a frame
 constexpr double short_strip = 100;    // milliseconds, below which the next one is higher
+constexpr double long_strip = 400;     // above which it is lower
 
 const Grain& grain_of(const Drawn& drawn) { return grains[static_cast<std::size_t>(drawn.grain)]; }
 
@@ -49,11 +50,11 @@ bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
     next_.grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
     const bool may_last = !wanted.sharp && next_.grain == 0 && document.runtime->long_loops(document.controls) > 0;
     ahead_ = may_last && (other || moves || may_be_coarse);
-    const bool strips = may_last && !ahead_ && drawn_.grain > 0 && !wanted.again && coarseness_.lasts();
+    const bool strips = may_last && !ahead_ && next_ != drawn_ && !wanted.again && coarseness_.lasts();
     if (!strips)
         strips_.reset();
-    else if (!strips_ || strips_->of != next_)  // as many pixels as the coarsest grain has in each
-        strips_ = {next_, 0, grains.back().part_of(grains.back().part_of(next_.stand.height))};
+    else if (!strips_ || strips_->of != next_)
+        strips_ = {next_, 0, first_strip()};
     if (wanted.again || next_ != drawn_ || !document.runtime->settled()) {
         const PixelSize size = coarse_size(next_);
         return canvases_.of(next_).resize(size.width, size.height, grain_of(next_).samples,
@@ -100,6 +101,16 @@ bool Display::draw_ahead(Document& document, float density) {
     return true;
 }
 
+// What takes about as long as anyone waits, and at most as many pixels as the coarsest grain has.
+int Display::first_strip() const {
+    const int height = next_.stand.height, most = grains.back().part_of(grains.back().part_of(height));
+    return std::clamp(static_cast<int>(height * Coarseness::patience / coarseness_.foreseen()), 1, most);
+}
+
+double Display::sharp_share() const {
+    return strips_ ? static_cast<double>(strips_->rows) / strips_->of.stand.height : 0;
+}
+
 bool Display::draw_strip(Document& document, float density) {
     Strips& strips = *strips_;
     const int height = next_.stand.height, rows = std::min(strips.next, height - strips.rows);
@@ -108,7 +119,9 @@ bool Display::draw_strip(Document& document, float density) {
     const double ms = (window_.now() - start) * 1e3;
     strips.ms += ms;
     strips.rows += rows;
+    ++counters_.strips;
     if (ms < short_strip) strips.next *= 2;
+    if (ms > long_strip) strips.next = std::max(strips.next / 2, 1);
     return strips.rows >= height;
 }
 

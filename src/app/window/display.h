@@ -41,6 +41,7 @@ struct Wanted {
 struct WindowCounters {
     std::uint64_t frames = 0;    // number of pictures of the scene that were drawn
     std::uint64_t coarse = 0;    // those of them that were not sharp
+    std::uint64_t strips = 0;    // of sharp ones
     std::uint64_t presents = 0;  // number of times that the window's contents were replaced
     double time = 0;             // of the last picture, in seconds
     double frame_ms = 0;
@@ -59,6 +60,8 @@ public:
     // When a sharp picture is due if nothing moves, or its next strip, by the clock of the window; infinite if the
     // picture is sharp, or moves by itself and is coarse because of that.
     double sharp_due() const;
+    // How much is drawn of a sharp picture that is not shown yet.
+    double sharp_share() const;
     // Draws the picture, and returns true; if it is a sharp one that lasts, its next strip: it is shown once it is
     // whole. `after` is that of Frame; `density` is pixels per window coordinate.
     bool draw(Document& document, const std::function<void(const Step&)>* after, float density);
@@ -108,6 +111,7 @@ private:
     void draw_into(gl::Canvas& canvas, const Drawn& drawn, Document& document,
                    const std::function<void(const Step&)>* after, float density,
                    const std::optional<PixelRect>& part = {});
+    int first_strip() const;  // its rows
     // Draws the next strip of next_. Returns true if it was the last one.
     bool draw_strip(Document& document, float density);
 

@@ -463,6 +463,8 @@ ui::Facts App::facts() {
     facts.frame_ms = display_.counters().frame_ms;
     facts.samples = display_.samples();
     facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
+    if (const double share = display_.sharp_share(); share > 0)
+        facts.grain += fmt::format("{}sharp one: {:.0f} %", facts.grain.empty() ? "" : "; ", 100 * share);
     facts.renderer = caps_.renderer;
     facts.first_picture = first_picture();
     workspace_.tell(facts, memory);

@@ -119,6 +119,7 @@ void write_window_state(const std::string& file, const std::string& answered, co
     Session& session = workspace.session();
     json state{{"frames", counters.frames},
                {"coarse", counters.coarse},
+               {"strips", counters.strips},
                {"answered", answered},
                {"undo", workspace.past().steps()},
                {"presents", counters.presents},

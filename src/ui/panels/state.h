@@ -90,7 +90,7 @@ struct Facts {
     double time = 0;                       // seconds since the scene began
     double frame_ms = 0;                   // time to draw the last picture, in milliseconds
     int samples = 1;                       // per pixel, of a sharp picture
-    std::string_view grain;  // how much coarser the last picture is, because something is dragged; empty if sharp
+    std::string grain;  // how much coarser the last picture is, because something is dragged; empty if sharp
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists
