@@ -113,24 +113,29 @@ double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
     looked_.values = std::move(values);
     const gl::Pixels pixels = shown.runtime->display_pixels();
     if (ahead_.pixels != pixels) ahead_ = {};
+    bool pixels_tell = false, busy = true;
     const auto timed = [&](const Trial& trial) {
+        pixels_tell = pixels_tell || trial.width > 1;
         Moment small = moment;
         small.width = trial.width;
         small.height = trial.height;
         Controls all = shown.controls;
         if (trial.rounds < rounds) shown.runtime->shorten_loops(shown.controls, trial.rounds);
-        const double from = now();
         if (ahead_.width != trial.width || ahead_.height != trial.height)
             ahead_ = gl::make_target(trial.width, trial.height, 1, pixels);
+        const auto finish = [&] { gl::read_rgba8(ahead_.framebuffer.get(), 1, 1, 1, pixels); };
+        if (std::exchange(busy, false)) finish();  // with the picture before, which is not this one's time
+        const double from = now();
         draw_both(scene, caps_, small, 0, {ahead_.framebuffer.get(), trial.width, trial.height});
-        gl::read_rgba8(ahead_.framebuffer.get(), 1, 1, 1, pixels);  // waits for it
+        finish();
         const double milliseconds = (now() - from) * 1e3;
         shown.controls = std::move(all);
         return milliseconds;
     };
     looked_.whole = snell::foresee(moment.width, moment.height, rounds, enough, looked_.known, timed);
     looked_.again = now() + (now() - begun) * (1 / spent - 1);
-    return looked_.whole;
+    const bool point_tells = std::isfinite(looked_.known.point) && looked_.known.point > enough;
+    return pixels_tell && !point_tells ? looked_.whole : -looked_.whole;
 }
 
 std::vector<std::byte> Drawing::picture(OpenScene& scene, const Moment& moment, int samples, std::string& error) {

@@ -40,7 +40,7 @@ public:
     double drew(double milliseconds);
     // Does one piece of work for which there is time when nothing changes. Returns false if nothing is left to do.
     bool settle(OpenScene& scene, const Moment& moment);
-    // See snell::foresee; 0: no loop of it is long.
+    // See snell::foresee; 0: no loop of it is long; negative: a smaller picture would take as long.
     double foresee(OpenScene& scene, const Moment& moment, double enough);
     // RGBA bytes, the top row first; empty, with an error, if the size is beyond the limits.
     std::vector<std::byte> picture(OpenScene& scene, const Moment& moment, int samples, std::string& error);

@@ -382,7 +382,7 @@ EMSCRIPTEN_KEEPALIVE const char* snell_preview(Engine* engine, const char* path,
     if (const Diagnostic* const first = first_error(found)) error = first->message;
     const Moment moment{0, width, height, 1, 0, 0};
     if (error.empty() && scene.document()->runtime->may_have_long_loops() &&
-        engine->drawing.foresee(scene, moment, longest_preview) > longest_preview)
+        std::abs(engine->drawing.foresee(scene, moment, longest_preview)) > longest_preview)
         error = "a picture of it takes long";
     if (error.empty()) engine->bytes = engine->drawing.picture(scene, moment, 4, error);
     return engine->say(std::move(error));

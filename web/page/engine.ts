@@ -191,6 +191,7 @@ export interface Engine {
     // Compiles one more program for the values as they are. False: nothing is left to do.
     settle(frame: Frame): boolean;
     // About how many milliseconds the picture takes, found by small ones, as far as it may be more than `enough`.
+    // Negative: a smaller one would take as long.
     foresee(frame: Frame, enough: number): number;
     // RGBA bytes, the top row first, of any size that fits into the limits; a message otherwise.
     picture(frame: Frame, samples: number): Uint8ClampedArray | string;

@@ -257,6 +257,36 @@ test('a file that is gone is an error, and one that comes back is none', async (
     await until(page, () => !document.querySelector('.editor-problems .problem.error'));
 });
 
+test('edits of a file that is renamed stay in the page', async () => {
+    const tabs = () => page.$$eval('.editor-tabs button', (all) => all.map(({ title }) => title));
+    const choose = (name) => page.evaluate((name) => [...document.querySelectorAll('.editor-tabs button')].find(({ title }) => title.endsWith(name)).click(), name);
+    await choose('a.frag');
+    await (await page.$('.editor-code >>> .cm-content')).click();
+    await chord(page, 'Home');
+    await page.keyboard.type('// an hour of work\n');
+    await shown('an hour of work');
+    await page.evaluate(async () => {
+        await window.put('c.frag', await window.text('a.frag'));
+        await window.put('a.glib', (await window.text('a.glib')).replace('a.frag', 'c.frag'));
+        await window.removed('a.frag');
+    });
+    await until(page, () => [...document.querySelectorAll('.editor-tabs button')].some(({ title }) => title.endsWith('c.frag')));
+    await new Promise((resolve) => setTimeout(resolve, 600));
+    assert.ok((await tabs()).some((title) => title.endsWith('a.frag')), 'the edits are gone');
+    await choose('a.frag');
+    await shown('an hour of work');
+    await put('a.frag', fragment('.8'));
+    await page.waitForSelector('.editor-dialog[open]');
+    await press(page, 'Take', '.editor-dialog[open]');
+    await page.evaluate(async () => {
+        await window.put('a.glib', (await window.text('a.glib')).replace('c.frag', 'a.frag'));
+        await window.removed('c.frag');
+    });
+    await choose('a.glib');
+    await shown('a.frag');
+    await until(page, () => !document.querySelector('.editor-problems .problem.error'));
+});
+
 test('a scene that is gone stays in the page', async () => {
     const before = await text('a.glib');
     await page.evaluate(() => window.removed('a.glib'));

@@ -238,6 +238,8 @@ for (const [name, stage, drawn] of [
         const began = Date.now();
         await until(page, () => document.querySelector('dialog[open][aria-label="This scene takes long"]'));
         assert(Date.now() - began < 20_000, 'the page stood still');
+        const choices = await page.$$eval('dialog[open] button', (all) => all.map(({ textContent }) => textContent));
+        assert.deepEqual(choices, ['Draw it', 'Cancel'], 'a small picture would take as long');
         await page.close();
     });
 

@@ -211,6 +211,8 @@ export class Session {
             const made = old.get(name) ?? makeDocument(name, files.get(name)!, () => this.#names(), (format) => this.#extensions(name, format));
             this.#documents.set(name, made);
         }
+        // Files that are gone, such as renamed ones, are not known any more, but edits of them are.
+        for (const [name, document] of old) if (!this.#documents.has(name) && isEdited(document)) this.#documents.set(name, document);
     }
 
     // Names of files as the scene writes them.

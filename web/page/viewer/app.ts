@@ -182,7 +182,7 @@ export class Page {
                 this.layout.status.textContent = `${width} × ${height}, ${milliseconds.toFixed(0)} ms${coarse ? ', coarser' : ''}`;
             },
             costs: (costs) => this.showProblems([...this.current, ...costs]),
-            goesOn: (milliseconds, signal) => this.goesOn(milliseconds, signal),
+            goesOn: (milliseconds, helps, signal) => this.goesOn(milliseconds, helps, signal),
             ticked: () => {
                 this.session.move(this.clock.time);
                 this.timebar.refresh();
@@ -271,17 +271,15 @@ export class Page {
         else this.painter?.request();
     }
 
-    private async goesOn(milliseconds: number, signal: AbortSignal): Promise<boolean | undefined> {
+    private async goesOn(milliseconds: number, helps: boolean, signal: AbortSignal): Promise<boolean | undefined> {
         const seconds = `${Math.max(Math.round(milliseconds / 1000), 1)} s`;
         // A dialog would end a drag: it waits until that has ended, and may be in vain then.
         this.layout.status.textContent = `not drawn: it may take ${seconds}`;
         while (this.pressed && !signal.aborted) await new Promise((later) => setTimeout(later, 50));
         if (signal.aborted) return undefined;
         const text = `A picture of it may take about ${seconds}, in which the page does not answer.`;
-        const choices = [
-            { text: 'Draw it', value: true },
-            { text: 'Keep it small', value: false },
-        ];
+        const choices = [{ text: 'Draw it', value: true }];
+        if (helps) choices.push({ text: 'Keep it small', value: false });
         const answer = await ask('This scene takes long', text, choices, signal);
         if (signal.aborted) return answer;
         this.layout.status.textContent = answer === undefined ? `not drawn: it may take ${seconds}` : answer ? 'drawing…' : '';

@@ -15,8 +15,8 @@ export interface PainterOptions {
     // The clock moved.
     ticked(): void;
     // A picture will take about so long, in which the page does not answer: whether it is drawn all the same; false: a
-    // small one; undefined: none until something changes. `signal`: the question is no longer one.
-    goesOn(milliseconds: number, signal: AbortSignal): Promise<boolean | undefined>;
+    // small one, if that `helps`; undefined: none until something changes. `signal`: the question is no longer one.
+    goesOn(milliseconds: number, helps: boolean, signal: AbortSignal): Promise<boolean | undefined>;
 }
 
 const longestSide = 8192;
@@ -207,10 +207,11 @@ export class Painter {
         return true;
     }
 
-    private ask(milliseconds: number): void {
+    // `helps`: a smaller picture takes less.
+    private ask(milliseconds: number, helps = true): void {
         const { signal } = (this.question = new AbortController());
         this.waits = true;
-        void this.with_.goesOn(milliseconds, signal).then((goes) => {
+        void this.with_.goesOn(milliseconds, helps, signal).then((goes) => {
             this.waits = false;
             if (signal.aborted) return this.schedule();
             if (goes === undefined) return void (this.with_.clock.playing = false);
@@ -233,14 +234,16 @@ export class Painter {
         if (!this.risky || (this.foreseen && !playing)) return true;
         const begun = performance.now();
         if (playing && this.least > 1 && begun < this.looksAgain) return true;
-        const milliseconds = this.with_.engine.foresee(this.frame(), this.accepted);
+        const foreseen = this.with_.engine.foresee(this.frame(), this.accepted);
+        const milliseconds = Math.abs(foreseen);
+        const helps = foreseen > 0;
         // Between small pictures it takes at most a fifth of the time.
         this.looksAgain = performance.now() + 4 * (performance.now() - begun);
-        this.shrinks &&= playing || milliseconds > this.accepted;
-        if (milliseconds <= this.accepted) this.least = 1;
+        this.shrinks &&= helps && (playing || milliseconds > this.accepted);
+        if (milliseconds <= this.accepted || !helps) this.least = 1;
         else if (this.shrinks) this.shrink(milliseconds);
         this.foreseen = milliseconds / this.least ** 2 <= this.accepted;
-        if (!this.foreseen) this.ask(milliseconds);
+        if (!this.foreseen) this.ask(milliseconds, helps);
         return this.foreseen;
     }
 
