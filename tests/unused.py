@@ -26,7 +26,7 @@ def symbols(kind, files):
 def words_of_product(root):
     """Returns how often each word occurs in the product's sources, comments and strings aside."""
     count = collections.Counter()
-    for top in ("parser", "src", "shaders", "tools"):
+    for top in ("parser", "src", "shaders", "tools", "web/interface"):
         for path in pathlib.Path(root, top).rglob("*"):
             if path.suffix in (".h", ".cpp"):
                 text = re.sub(r'"(?:\\.|[^"\\\n])*"|//[^\n]*', " ", path.read_text(encoding="utf-8"))

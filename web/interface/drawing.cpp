@@ -106,7 +106,8 @@ double Drawing::foresee(OpenScene& scene, const Moment& moment, double enough) {
     const auto length = [](const Document* one) { return one ? one->runtime->long_loops(one->controls) : 0; };
     const double rounds = std::min<double>(std::max(length(&shown), length(reference)), glsl::most_rounds);
     if (rounds == 0) return 0;
-    if (looked_.document != &shown || looked_.rungs != shown.controls.rungs) looked_ = {&shown, shown.controls.rungs};
+    if (looked_.document != &shown || looked_.reading != scene.readings() || looked_.rungs != shown.controls.rungs)
+        looked_ = {&shown, scene.readings(), shown.controls.rungs};
     std::vector<double> values = values_of(shown.controls);
     const double begun = now();
     if (values == looked_.values && looked_.whole * surely < enough && begun < looked_.again) return looked_.whole;

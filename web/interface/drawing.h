@@ -57,6 +57,7 @@ private:
     // Of the last look ahead.
     struct {
         const Document* document = nullptr;
+        int reading = 0;
         Rungs rungs = {};
         std::vector<double> values = {};
         Foresight known;

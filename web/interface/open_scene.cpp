@@ -101,6 +101,7 @@ Reading OpenScene::open(const std::string& path, const Settings& settings, const
 
 void OpenScene::take(std::unique_ptr<Document> read, Plan plan, const Settings& settings, bool again,
                      Diagnostics& problems) {
+    ++readings_;
     memory_ = again ? remembered() : Remembered{};
     if (again) {
         recall(memory_, read->scene(), read->controls);

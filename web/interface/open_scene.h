@@ -49,6 +49,8 @@ public:
     // compare.
     Document* reference(const gl::Caps& caps);
     View view;
+    // Counts what was shown, because a document may stand where an earlier one stood.
+    int readings() const { return readings_; }
 
 private:
     void take(std::unique_ptr<Document> read, Plan plan, const Settings& settings, bool again, Diagnostics& problems);
@@ -56,6 +58,7 @@ private:
     Remembered remembered() const;
 
     std::unique_ptr<Document> shown_, reference_;
+    int readings_ = 0;
     Plan plan_;          // of shown_
     Remembered memory_;  // values that shown_ does not have at present
 };
