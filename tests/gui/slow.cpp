@@ -81,12 +81,13 @@ TEST_F(SlowPictures, OfATypedValueBeginCoarseAndQuickOnesDoNot) {
     save("paint.frag", shader("60000"));  // so that only a picture tells
     open("quick.glib", {"--no-specialise"});
     drawn();
-    for (int attempt = 0; attempt < 3; ++attempt) {  // a busy machine makes quick pictures slow
+    // A busy machine makes quick pictures slow, and then later ones of a drag are coarse; else only its last is sharp.
+    for (int attempt = 0; attempt < 3; ++attempt) {
         drag(on("Paint.uPhase", .1 + attempt * .1), on("Paint.uPhase", .8));
         settle();
         const auto [all, coarse] = drawn();
         EXPECT_GT(all, 0);
-        if (coarse == 0) break;
+        if (all > coarse + 1 || coarse == 0) break;
         EXPECT_LT(attempt, 2) << coarse << " of " << all;
     }
     type("Paint.uRounds", slow, Field::number);
