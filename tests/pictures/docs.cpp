@@ -1,4 +1,5 @@
-// The pictures of docs/language.md are the cases, drawn. To draw those anew that lack or differ, and look at them:
+// The pictures of docs/language.md are the cases, drawn. To draw anew those that are missing or differ, and look at
+// them:
 //   SNELL_UPDATE_PICTURES=1 ./build/release/bin/pictures_tests --gtest_filter='Pictures.*'
 #include <cmath>
 #include <cstdlib>
