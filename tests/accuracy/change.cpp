@@ -1,8 +1,5 @@
 #include "src/accuracy/found/change.h"
-
-#include <gtest/gtest.h>
-
-#include <set>
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

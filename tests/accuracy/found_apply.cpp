@@ -1,12 +1,8 @@
 // Found rungs by number, and the texts that they make.
 #include "src/accuracy/found/change.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-
 #include "src/document/document.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

@@ -1,10 +1,6 @@
 // Places come from a seed alone, and stay where a user could move.
 #include "src/accuracy/found/search.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

@@ -1,11 +1,7 @@
 // Where samples lie within a pixel; and the rung of a knob that is called the scene's own draws the scene as it is.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "src/accuracy/bench.h"
 #include "src/accuracy/measure.h"
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

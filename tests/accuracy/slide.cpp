@@ -1,18 +1,10 @@
 // The slide of a report: what it shows, and that it can be read.
 #include "src/accuracy/report/slide/slide.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <limits>
-#include <map>
-#include <set>
-
 #include "src/content/image/image.h"
 #include "tests/accuracy/pictures.h"
 #include "tests/scratch.h"
 #include "tests/screens.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

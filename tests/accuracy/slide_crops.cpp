@@ -1,13 +1,8 @@
 // The parts of pictures that a slide shows.
 #include "src/accuracy/report/slide/slide.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "src/content/image/image.h"
-
 #include "tests/accuracy/pictures.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

@@ -1,9 +1,6 @@
 // Cube maps: every layout is painted as a function of direction, split, and looked up where OpenGL's own rule
 // for cube maps says that a direction falls.
 #include "src/content/cube/cubemap.h"
-
-#include <cmath>
-
 #include "tests/hard_case.h"
 #include "tests/image/help.h"
 

@@ -1,6 +1,4 @@
 // Cube maps from six files.
-#include <set>
-
 #include "src/content/cube/cubemap.h"
 #include "tests/image/help.h"
 

@@ -1,8 +1,4 @@
 // Half floats, and pictures with values that are no numbers.
-#include <cmath>
-#include <ctime>
-#include <limits>
-
 #include "tests/hard_case.h"
 #include "tests/image/help.h"
 

@@ -1,6 +1,4 @@
 // Hard cases of sums over pictures.
-#include <cmath>
-
 #include "src/content/cube/convolve.h"
 #include "tests/hard_case.h"
 #include "tests/image/help.h"

@@ -1,6 +1,4 @@
 // What is offered in scenes, and what is not.
-#include <algorithm>
-
 #include "tests/language/help.h"
 
 namespace snell::language {

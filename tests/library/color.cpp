@@ -1,6 +1,4 @@
 // The sRGB curve on the GPU.
-#include <cmath>
-
 #include "tests/library/common.h"
 
 namespace snell::test {

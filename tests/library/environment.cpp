@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "tests/hard_case.h"
 #include "tests/library/common.h"
 #include "tests/oracle/optics/cube.h"

@@ -1,7 +1,5 @@
 // Mistakes that are printed in well-known teaching material, each beside the right form, and how far they are apart:
 // the figures of docs/teaching.md.
-#include <cmath>
-
 #include "tests/library/common.h"
 #include "tests/oracle/optics/ray.h"
 #include "tests/oracle/optics/refraction.h"

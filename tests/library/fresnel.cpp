@@ -1,9 +1,6 @@
-#include <algorithm>
-#include <cmath>
-
+#include "tests/oracle/optics/fresnel.h"
 #include "tests/hard_case.h"
 #include "tests/library/common.h"
-#include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/refraction.h"
 
 namespace snell::test {

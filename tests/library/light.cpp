@@ -1,12 +1,6 @@
 // Irradiance, dispersion and noise of the library, and that all of it compiles wherever it must.
-#include <algorithm>
-#include <cmath>
-#include <iomanip>
-#include <numbers>
-#include <random>
-#include <sstream>
-
 #include <fmt/format.h>
+#include <iomanip>
 
 #include "src/content/cube/convolve.h"
 #include "tests/hard_case.h"

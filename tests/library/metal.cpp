@@ -1,7 +1,4 @@
 // The ladder of metals on the GPU.
-#include <algorithm>
-#include <cmath>
-
 #include "tests/library/common.h"
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/glass.h"

@@ -1,10 +1,6 @@
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
+#include "tests/oracle/optics/refraction.h"
 #include "tests/hard_case.h"
 #include "tests/library/common.h"
-#include "tests/oracle/optics/refraction.h"
 #include "tests/oracle/optics/sphere.h"
 
 namespace snell::test {

@@ -1,6 +1,4 @@
 // Chains of rough mirrors, looked up by the library.
-#include <cmath>
-
 #include "src/content/cube/convolve.h"
 #include "tests/library/common.h"
 

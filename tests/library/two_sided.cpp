@@ -1,9 +1,7 @@
 // Glass seen from both sides, by pictures of its back faces.
-#include <cmath>
-
+#include "tests/oracle/optics/two_sided.h"
 #include "tests/library/common.h"
 #include "tests/oracle/optics/refraction.h"
-#include "tests/oracle/optics/two_sided.h"
 
 namespace snell::test {
 namespace {

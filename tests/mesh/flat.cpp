@@ -1,6 +1,4 @@
 // Boxes, quads, point clouds and vertex lists.
-#include <set>
-
 #include "tests/mesh/check.h"
 
 namespace snell::content {

@@ -1,8 +1,4 @@
 // Wavefront files, as they should be and as they are.
-#include <cstdlib>
-#include <ctime>
-#include <sstream>
-
 #include "tests/decimal_comma.h"
 #include "tests/mesh/obj_check.h"
 #include "tests/sanitized.h"

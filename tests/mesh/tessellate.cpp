@@ -1,12 +1,6 @@
 // Domains of patches: what OpenGL demands of every tessellator.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-#include <random>
-#include <set>
-
 #include "src/content/mesh/tessellate.h"
+#include "tests/std.h"
 
 namespace snell::content {
 namespace {

@@ -1,11 +1,6 @@
 // The ways of light through balls and meshes, by which the oracle is judged: two ways of finding them, and the energy.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <random>
-
 #include "tests/oracle/optics/mesh_path.h"
+#include "tests/std.h"
 
 namespace snell::optics {
 namespace {

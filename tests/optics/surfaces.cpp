@@ -1,15 +1,7 @@
 // The laws that light keeps at a surface, by which the oracle is judged.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <limits>
-#include <numbers>
-#include <random>
-
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/refraction.h"
+#include "tests/std.h"
 
 namespace snell::optics {
 namespace {

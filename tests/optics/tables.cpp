@@ -1,11 +1,8 @@
 // What the oracle has from the literature, against numbers that are printed elsewhere than its formulas.
-#include <gtest/gtest.h>
-
-#include <numbers>
-
 #include "tests/oracle/optics/color.h"
 #include "tests/oracle/optics/glass.h"
 #include "tests/oracle/optics/irradiance.h"
+#include "tests/std.h"
 
 namespace snell::optics {
 namespace {

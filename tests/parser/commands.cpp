@@ -1,15 +1,11 @@
 // The table: what it promises, and that a malformed row does not compile.
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "parser/commands/commands.h"
 #include "tests/oracle/scene/print.h"
 #include "tests/parser/support.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

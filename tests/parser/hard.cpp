@@ -1,20 +1,11 @@
 // Hard cases of text: what the C library makes of it beside what is read here.
-#include <gtest/gtest.h>
-
 #include <glm/gtc/matrix_transform.hpp>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <random>
 
 #include "parser/text/number.h"
 #include "parser/text_of.h"
 #include "tests/hard_case.h"
 #include "tests/parser/support.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

@@ -1,15 +1,6 @@
 // Doubles as text and back, against what GCC's standard library reads and writes.
 #include "parser/text/number.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,11 +1,5 @@
 // Sources, numbers, characters, suggestions, rendering.
-#include <gtest/gtest.h>
-
-#include <bit>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <random>
 
 #include "parser/commands/commands.h"
 #include "parser/text/diagnostic.h"
@@ -14,6 +8,7 @@
 #include "parser/text_of.h"
 #include "tests/decimal_comma.h"
 #include "tests/parser/support.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

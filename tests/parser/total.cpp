@@ -1,14 +1,9 @@
 // Any bytes are read without harm, and what was understood can be written down and read again.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <random>
-
 #include "parser/commands/commands.h"
 #include "tests/fuzz/oracle.h"
 #include "tests/parser/support.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

@@ -1,7 +1,4 @@
 // tests/odd: what students really wrote. The parser's tests hold what is said of it; here it is drawn.
-#include <filesystem>
-#include <fstream>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {

@@ -1,7 +1,4 @@
 // tests/cases: one scene for each command, each drawn, and facts about what it shows.
-#include <filesystem>
-#include <set>
-
 #include "parser/commands/commands.h"
 #include "tests/harness/harness.h"
 

@@ -1,7 +1,4 @@
 // The solids cover what geometry says they cover.
-#include <cmath>
-#include <numbers>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {

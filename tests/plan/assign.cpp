@@ -1,8 +1,7 @@
 // Values from a command line, and values kept over a reload.
-#include <gtest/gtest.h>
-
 #include "src/plan/values/controls.h"
 #include "tests/plan/uniforms.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

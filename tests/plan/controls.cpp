@@ -1,10 +1,7 @@
 // Controls: values of the scene in the types of the linked program.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "src/plan/values/controls.h"
 #include "tests/plan/uniforms.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,9 +1,8 @@
 // Knobs change what they say and nothing else.
-#include <gtest/gtest.h>
-
 #include "src/content/cube/convolve.h"
 #include "src/plan/plan.h"
 #include "tests/oracle/light.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,14 +1,8 @@
 // Matrices: facts of geometry, and hard inputs.
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
-
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
 #include "tests/plan/finite.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

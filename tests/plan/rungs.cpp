@@ -1,8 +1,7 @@
 // Choosing rungs by name, and keeping the choice when the text changes.
-#include <gtest/gtest.h>
-
-#include "parser/read/parse.h"
 #include "src/plan/values/rungs.h"
+#include "parser/read/parse.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

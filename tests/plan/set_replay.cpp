@@ -1,11 +1,7 @@
 // The corpus of the fuzzer of --set, what small changes make of it, and every kind of value.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <random>
-
 #include "tests/fuzz/set_input.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

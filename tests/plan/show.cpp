@@ -1,13 +1,8 @@
 // Which boxes a camera cannot show, and where a scene is moved of which nothing is in view.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "src/plan/view.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,10 +1,9 @@
 // The camera that the user holds, and the objects that it moves, judged by where points come to lie.
-#include <gtest/gtest.h>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "src/plan/plan.h"
 #include "src/plan/view.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,14 +1,8 @@
 // Values back into the text: judged by reading the new text, and by the bytes that must not change.
 #include "src/plan/values/write_back.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <optional>
-#include <random>
-
 #include "parser/read/parse.h"
 #include "tests/plan/uniforms.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,6 +1,4 @@
 // The same scenes in the least and in other contexts: OpenGL 3.3, OpenGL ES, and one that draws no wide lines.
-#include <filesystem>
-
 #include "parser/commands/commands.h"
 #include "tests/harness/plain.h"
 

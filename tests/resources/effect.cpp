@@ -1,9 +1,5 @@
 // Sliders without effect, by the driver's code: against what the shaders' texts say, and against pictures.
 #include "src/runtime/resources/program.h"
-
-#include <algorithm>
-#include <cstdlib>
-
 #include "tests/harness/plain.h"
 
 namespace snell::test {

@@ -1,9 +1,6 @@
 // Constants of the text: what GLSL leaves undefined is what it is at run time.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <set>
-
 #include "src/gl/program.h"
 #include "src/glsl/glsl.h"
 #include "tests/hard_case.h"

@@ -1,7 +1,4 @@
 // Loading: what is read once, what is read beside other things, what its watcher is told, and files that nothing needs.
-#include <algorithm>
-#include <thread>
-
 #include "src/document/document.h"
 #include "tests/harness/plain.h"
 

@@ -1,9 +1,5 @@
 // The uniforms that the translator finds used, against the driver's lists of active uniforms: for every program of
 // every scene, for the small programs of the dialects, and for each of their stages alone.
-#include <filesystem>
-#include <random>
-#include <set>
-
 #include "src/gl/program.h"
 #include "src/plan/texts.h"
 #include "tests/harness/harness.h"

@@ -1,9 +1,6 @@
 // Hard cases of frames and drivers, in each kind of context.
 #include <epoxy/egl.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "src/app/picture/non_finite.h"
 #include "src/gl/program.h"
 #include "tests/hard_case.h"

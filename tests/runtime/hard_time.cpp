@@ -1,11 +1,7 @@
 // Hard cases of time: what a clock of floats makes of it beside ours.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "src/runtime/resources/uniforms.h"
 #include "tests/hard_case.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

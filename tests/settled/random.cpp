@@ -3,10 +3,6 @@
 // which program on, SNELL_RANDOM_ES=31 on which version of OpenGL ES.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <random>
-
 #include "tests/hard_case.h"
 #include "tests/settled/settled.h"
 

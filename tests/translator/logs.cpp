@@ -4,11 +4,6 @@
 // them if that differs ("== translated demo.frag"), its logs ("== log DRIVER", "== link log DRIVER"), and the
 // diagnostics that each of these logs must give ("== expect"). Further logs are about the same shaders, unless shaders
 // come before them.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-
 #include "tests/translator/translate_help.h"
 
 namespace snell::glsl {

@@ -1,11 +1,6 @@
 // Expressions that their mean over the picture replaces: the means are those of known functions.
-#include "src/accuracy/found/search.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "src/accuracy/found/change.h"
+#include "src/accuracy/found/search.h"
 #include "tests/accuracy/gl/common.h"
 
 namespace snell::test {

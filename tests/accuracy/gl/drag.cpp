@@ -1,7 +1,5 @@
 // A window makes programs for its values while nothing is touched. Neither the first picture by them nor the first one
 // of a drag, which leaves them, takes longer than its neighbours.
-#include <algorithm>
-
 #include "src/accuracy/timing.h"
 #include "src/gl/present.h"
 #include "tests/harness/plain.h"

@@ -1,7 +1,5 @@
 // The methods of scenes/light/end-to-end are as far from the reference as such methods were measured to be, by others,
 // in a room of the same size, with another pattern on its walls.
-#include <cmath>
-
 #include "tests/accuracy/gl/common.h"
 
 namespace snell::test {

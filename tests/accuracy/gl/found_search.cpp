@@ -1,11 +1,5 @@
 // Changes whose errors are known: what a search says of them must be that.
-#include <gtest/gtest.h>
 #include <malloc.h>
-
-#include <chrono>
-#include <cmath>
-#include <filesystem>
-#include <thread>
 
 #include "src/accuracy/found/search.h"
 #include "tests/accuracy/gl/common.h"

@@ -1,8 +1,4 @@
 // Changes of shaders, drawn: the driver takes them, and the pictures change as much as the changes say.
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 #include "src/accuracy/found/shaders/shader.h"
 #include "tests/harness/harness.h"
 

@@ -1,6 +1,4 @@
 // Measurements whose answers are known.
-#include <cmath>
-
 #include "src/accuracy/measure.h"
 #include "tests/accuracy/gl/common.h"
 

@@ -1,9 +1,6 @@
 // Polynomials in place of functions, as the driver computes them, against double precision.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "src/accuracy/found/shaders/shader.h"
 #include "src/gl/program.h"
 #include "tests/harness/harness.h"

@@ -1,6 +1,4 @@
 // Cheaper changes of shaders: for each kind the exact edit, and what must be left alone.
-#include <ctime>
-
 #include "src/accuracy/found/change.h"
 #include "tests/accuracy/shaders/help.h"
 

@@ -1,8 +1,4 @@
 // The scenes of scenes/light: what each rung is off by, and that the right ones are right by the oracle.
-#include <cmath>
-#include <fstream>
-#include <iterator>
-
 #include "tests/optics/gl/common.h"
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/glass.h"

@@ -1,6 +1,4 @@
 // Which way round the walls and the faces of a cube map are.
-#include <cmath>
-
 #include "tests/optics/gl/common.h"
 #include "tests/oracle/optics/refraction.h"
 

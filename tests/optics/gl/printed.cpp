@@ -1,8 +1,4 @@
 // The scene that the slides print, as printed, with the pictures and the two-line shader that they leave out.
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "tests/optics/gl/common.h"
 
 namespace snell::test {

@@ -1,13 +1,4 @@
 // Every shipped scene: clean, the same at every draw, finite wherever its sliders are, and with no idle control.
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <random>
-
 #include "tests/hard_case.h"
 #include "tests/harness/harness.h"
 
