@@ -161,13 +161,6 @@ TEST(WriteBack, NumbersThatTheTextLacksAreAdded) {
     EXPECT_EQ(desk.text(), "Program G uA <0. 0.5, 1.> uC {.5 .5 0. .5} uV [1. 0. 3.]\n");
 }
 
-TEST(WriteBack, ARangeIsWidenedByAValueBeyondIt) {
-    Desk desk("Program G uA <.1 1.1 5.> uB <5. 1. .1>\n", {{"uA", active("float")}, {"uB", active("float")}});
-    desk.set("uA", {7});
-    desk.set("uB", {-2});
-    EXPECT_EQ(desk.text(), "Program G uA <.1 7. 7.> uB <5. -2. -2.>\n");
-}
-
 TEST(WriteBack, WhatHasNoPlaceIsRefusedWithAReason) {
     Desk desk("Program G uV <0. 1. 2.> uS 4.\n",
               {{"uV", active("vec3")}, {"uS", active("vec2")}, {"uExtra", with_initial(active("float"), {.5})}});
