@@ -4,15 +4,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
 #include <csignal>
-#include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <random>
-#include <thread>
 
 #include "src/app/desktop/settings.h"
 #include "src/app/open/states.h"
