@@ -40,7 +40,6 @@ extern "C" ssize_t write(int file, const void* bytes, size_t count) {
 }
 
 namespace snell {
-
 namespace {
 
 TEST(Replace, TheNewTextOrTheOld) {
@@ -158,5 +157,4 @@ TEST(ReplaceOnAFullDisk, WhatWasWrittenHalfGetsItsOldBytes) {
 }
 
 }  // namespace
-
 }  // namespace snell

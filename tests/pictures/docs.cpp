@@ -6,7 +6,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 constexpr int page_side = 160;
@@ -64,5 +63,4 @@ TEST_F(Pictures, ShowWhatTheCasesDraw) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -2,7 +2,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 class Odd : public GlTest {};
@@ -40,5 +39,4 @@ TEST_F(Odd, IsDrawnAllTheSame) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

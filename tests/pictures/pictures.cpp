@@ -3,7 +3,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 const Pixel white{255, 255, 255, 255}, black{0, 0, 0, 255};
@@ -134,5 +133,4 @@ TEST_F(Cases, CullFaceTakesFacesAway) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

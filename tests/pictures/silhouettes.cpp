@@ -2,7 +2,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -122,5 +121,4 @@ TEST_F(Silhouettes, NormalsPointOutward) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

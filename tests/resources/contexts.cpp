@@ -3,7 +3,6 @@
 #include "tests/harness/plain.h"
 
 namespace snell::test {
-
 namespace {
 
 class Context33 : public GlTest {
@@ -230,5 +229,4 @@ TEST_F(NarrowLines, AreColouredAsTheDriversWhereTheyAreCut) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

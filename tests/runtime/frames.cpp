@@ -3,7 +3,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 class Frames : public GlTest {
@@ -85,5 +84,4 @@ TEST_F(Frames, OddSizesAreDrawn) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -3,7 +3,6 @@
 #include "tests/harness/plain.h"
 
 namespace snell::test {
-
 namespace {
 
 class Language : public PlainTest {
@@ -323,5 +322,4 @@ TEST_F(Language, LoopsThatAUniformBoundsAreLongForLargeValues) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -3,7 +3,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 struct Parts {
@@ -176,5 +175,4 @@ TEST_F(RuntimeParts, AnotherBackground) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -18,7 +18,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -373,5 +372,4 @@ TEST_F(Disk, SavingReadsNothingOutsideAndKeepsTheLimits) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

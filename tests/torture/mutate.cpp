@@ -8,7 +8,6 @@
 #include "tests/words.h"
 
 namespace snell::torture {
-
 namespace {
 
 constexpr std::size_t longest = 1 << 20;
