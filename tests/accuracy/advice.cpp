@@ -1,10 +1,7 @@
 // Which combination is chosen, of sweeps whose numbers are known; and presets through their file.
-#include <gtest/gtest.h>
-
-#include <limits>
-
 #include "src/accuracy/advice.h"
 #include "src/accuracy/report/quality.h"
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

@@ -1,12 +1,7 @@
 // How often claims about costs are wrong: thousands of measurements of costs that are known, on machines with any
 // noise.
 #include "src/accuracy/costs.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <random>
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

@@ -1,17 +1,10 @@
 // Changes that are found in scenes on disk or from text.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <memory>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "parser/read/parse.h"
 #include "src/accuracy/found/texts/texts.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::accuracy {
 

@@ -1,8 +1,4 @@
 // What can be left out: the exact text that stays.
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
-
 #include "tests/accuracy/found_help.h"
 
 namespace snell::accuracy {

@@ -1,11 +1,10 @@
 // What the report says of found rungs, for results made by hand.
 #include "src/accuracy/report/report.h"
 
-#include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
 #include "src/accuracy/found/search.h"
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

@@ -1,8 +1,4 @@
 // Changes of the scene's text, with the exact text that they make.
-#include <algorithm>
-#include <filesystem>
-#include <set>
-
 #include "src/plan/locate.h"
 #include "tests/accuracy/found_help.h"
 

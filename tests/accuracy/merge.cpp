@@ -1,11 +1,9 @@
 // Reports of several machines: what holds on all of them, and what does not.
 #include "src/accuracy/report/report.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <nlohmann/json.hpp>
-#include <vector>
+
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

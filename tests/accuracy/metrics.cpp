@@ -1,13 +1,7 @@
 // Errors of pictures against their definitions and against known values.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-
 #include "src/accuracy/metrics.h"
 #include "src/content/image/image.h"
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

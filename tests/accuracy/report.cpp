@@ -1,13 +1,9 @@
 // What reports say of results that are written here by hand, and what is concluded from such results.
 #include "src/accuracy/report/report.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
+
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

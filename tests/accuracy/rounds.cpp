@@ -1,9 +1,7 @@
 // How the time for rounds is divided, by a clock that only the frames move.
-#include "src/accuracy/timing.h"
-
-#include <gtest/gtest.h>
-
 #include "src/accuracy/costs.h"
+#include "src/accuracy/timing.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

@@ -1,12 +1,6 @@
 // Medians, intervals and fronts with known answers.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-
 #include "src/accuracy/costs.h"
+#include "tests/std.h"
 
 namespace snell::accuracy {
 namespace {

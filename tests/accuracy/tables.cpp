@@ -1,17 +1,10 @@
 // Tables as they are written, and what rungs are called in them.
-#include "src/content/table.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <fstream>
-#include <set>
-#include <sstream>
-
 #include "parser/text/words.h"
 #include "src/accuracy/found/search.h"
 #include "src/accuracy/report/report.h"
+#include "src/content/table.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

@@ -13,7 +13,6 @@
 #include "tests/bench/timing.h"
 
 namespace snell::bench {
-
 namespace {
 
 // Milliseconds of CPU and of the wall, medians of several tries of at least a millisecond each.

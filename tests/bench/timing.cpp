@@ -11,7 +11,6 @@
 extern char** environ;
 
 namespace snell::bench {
-
 namespace {
 
 double now(clockid_t clock) {

@@ -1,15 +1,10 @@
-#include "tests/compatibility/cases.h"
-#include "tests/pattern.h"
-#include "tests/scratch.h"
-
 #include <epoxy/gl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <fstream>
-#include <optional>
-#include <set>
-#include <sstream>
+#include "tests/compatibility/cases.h"
+#include "tests/pattern.h"
+#include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::oracle {
 namespace {

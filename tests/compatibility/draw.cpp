@@ -1,17 +1,12 @@
 #include "tests/compatibility/draw.h"
 
 #include <epoxy/gl.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
 #include <glm/glm.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <utility>
 
 #include "tests/compatibility/uniforms.h"
+#include "tests/std.h"
 
 namespace snell::oracle {
 namespace {

@@ -1,11 +1,10 @@
 // Students' mistakes, from their text through the translation and the driver to the message: it must stand at the
 // user's own line and column, and say what is wrong.
-#include <gtest/gtest.h>
-
 #include <fmt/format.h>
 
 #include "src/platform/headless.h"
 #include "tests/compatibility/draw.h"
+#include "tests/std.h"
 
 namespace snell::oracle {
 namespace {

@@ -1,19 +1,11 @@
 // The small programs are accepted, once translated, by every kind of context and by the reference compiler.
-#include <gtest/gtest.h>
-
 #include <epoxy/gl.h>
-
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <map>
 
 #include "src/platform/headless.h"
 #include "tests/compatibility/draw.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::oracle {
 namespace {

@@ -1,14 +1,8 @@
 // The translation draws what the untouched shaders draw: through Mesa's compatibility context where that accepts
 // them, else what an equivalent modern program draws.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <functional>
-#include <map>
-
 #include "src/platform/headless.h"
 #include "tests/compatibility/draw.h"
+#include "tests/std.h"
 
 namespace snell::oracle {
 namespace {

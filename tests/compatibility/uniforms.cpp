@@ -1,13 +1,11 @@
 #include "tests/compatibility/uniforms.h"
 
 #include <epoxy/gl.h>
-
-#include <algorithm>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <optional>
-#include <string>
+
+#include "tests/std.h"
 
 namespace snell::oracle {
 namespace {

@@ -1,7 +1,4 @@
 #include "tests/harness/harness.h"
-
-#include <cstdlib>
-
 #include "src/gl/context.h"
 
 namespace snell::test {

@@ -1,21 +1,13 @@
 // Scenes from text, drawn headless, looked at pixel by pixel.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "src/document/document.h"
 #include "src/gl/context.h"
 #include "src/gl/target.h"
 #include "src/plan/view.h"
 #include "src/platform/headless.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::test {
 

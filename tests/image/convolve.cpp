@@ -2,17 +2,7 @@
 #include "src/content/cube/convolve.h"
 #include "tests/oracle/light.h"
 #include "tests/scratch.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <random>
+#include "tests/std.h"
 
 namespace snell::content {
 namespace {

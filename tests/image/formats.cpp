@@ -1,11 +1,6 @@
 // What goes through the OpenImageIO module, and what decides which way a file goes.
 #include <unistd.h>
 
-#include <chrono>
-#include <cmath>
-#include <cstdlib>
-#include <thread>
-
 #include "src/content/image/formats.h"
 #include "src/content/image/image.h"
 #include "tests/image/help.h"

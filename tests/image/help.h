@@ -1,21 +1,10 @@
 // What the tests of pictures share.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-
 #include "src/content/image/image.h"
 #include "tests/oracle/compare.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::content {
 

@@ -1,9 +1,5 @@
 // Noise by its statistics, its lattice and its seams.
 #include "src/content/image/noise.h"
-
-#include <cmath>
-#include <numeric>
-
 #include "tests/image/help.h"
 
 namespace snell::content {

@@ -1,11 +1,7 @@
 // Work on all cores, and on a machine that gives no more threads.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "src/content/workers.h"
 #include "tests/no_more_threads.h"
+#include "tests/std.h"
 
 namespace snell::content {
 namespace {

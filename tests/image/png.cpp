@@ -1,8 +1,6 @@
 // PNG: written by us and read back, and files of every kind made through libpng.
 #include <png.h>
 
-#include <cmath>
-
 #include "tests/image/help.h"
 
 namespace snell::content {

@@ -1,23 +1,15 @@
-#include <gtest/gtest.h>
-
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
-#include <string>
 
 #include "src/content/replace.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace {
 
@@ -48,7 +40,6 @@ extern "C" ssize_t write(int file, const void* bytes, size_t count) {
 }
 
 namespace snell {
-
 namespace {
 
 TEST(Replace, TheNewTextOrTheOld) {
@@ -166,5 +157,4 @@ TEST(ReplaceOnAFullDisk, WhatWasWrittenHalfGetsItsOldBytes) {
 }
 
 }  // namespace
-
 }  // namespace snell

@@ -1,11 +1,7 @@
 // The corpora of the fuzzers of files, and what small changes make of them.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <random>
-
 #include "tests/fuzz/file_input.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

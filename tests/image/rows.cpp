@@ -1,15 +1,10 @@
 // Pictures that are written band by band are those that are written at once; a failure leaves what was there.
-#include <gtest/gtest.h>
 #include <sys/resource.h>
-
-#include <algorithm>
 #include <csignal>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include "src/content/image/png_write.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::content {
 namespace {

@@ -1,8 +1,4 @@
 // Files that were cut off, filled with zeros or exchanged for something else are no pictures.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "src/content/files.h"
 #include "src/content/image/image.h"
 #include "src/content/image/module.h"

@@ -1,13 +1,7 @@
-#include "src/language/services.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-
 #include "parser/read/parse.h"
+#include "src/language/services.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 #include "tests/torture/mutate.h"
 
 namespace snell::language {

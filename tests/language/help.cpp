@@ -1,8 +1,5 @@
 #include "tests/language/help.h"
 
-#include <algorithm>
-#include <filesystem>
-
 namespace snell::language {
 
 std::string Editor::written(std::string_view name, std::string_view text) {

@@ -1,15 +1,9 @@
 // Scenes and shaders from text, with a cursor: the place of '@' in the text that has one.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "src/language/services.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::language {
 

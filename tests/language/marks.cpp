@@ -1,6 +1,4 @@
 // Symbols and colours.
-#include <algorithm>
-
 #include "tests/language/help.h"
 
 namespace snell::language {

@@ -1,6 +1,4 @@
 // Definitions, references and renames: by scopes, stages and files.
-#include <algorithm>
-
 #include "tests/language/help.h"
 
 namespace snell::language {

@@ -1,17 +1,10 @@
 // All names of a scene and its shaders, renamed at once.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "src/language/services.h"
+#include "tests/std.h"
 
 namespace snell::language {
 

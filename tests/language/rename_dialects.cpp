@@ -1,6 +1,4 @@
 // Programs of every dialect, whose names are all others, are translated to the same text, but for the names.
-#include <filesystem>
-
 #include "src/glsl/read/lexer.h"
 #include "tests/language/rename_all.h"
 #include "tests/scratch.h"

@@ -1,7 +1,4 @@
 // Files that are read by several names: links, "..", other cases.
-#include <algorithm>
-#include <filesystem>
-
 #include "tests/language/help.h"
 
 namespace snell::language {

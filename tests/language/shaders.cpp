@@ -1,6 +1,4 @@
 // What is offered and said in shaders.
-#include <algorithm>
-
 #include "shaders/embedded.h"
 #include "src/glsl/read/words.h"
 #include "src/language/shader/builtins.h"

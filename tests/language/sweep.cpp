@@ -1,9 +1,5 @@
 // Every service at every place of all scenes and shaders of the repository, whole and cut off: spans lie in their
 // texts.
-#include <algorithm>
-#include <ctime>
-#include <filesystem>
-
 #include "tests/language/help.h"
 #include "tests/sanitized.h"
 #include "tests/torture/mutate.h"

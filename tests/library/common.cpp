@@ -1,11 +1,7 @@
 #include "tests/library/common.h"
 
-#include <cmath>
-#include <limits>
-#include <ostream>
-#include <random>
-
 #include <fmt/format.h>
+#include <ostream>
 
 #include "shaders/embedded.h"
 #include "src/gl/context.h"

@@ -1,22 +1,13 @@
 // Calls functions of the GLSL library with thousands of arguments, on each kind of context.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include <glm/glm.hpp>
 
 #include "src/gl/context.h"
 #include "src/gl/handle.h"
 #include "src/gl/texture.h"
 #include "src/platform/headless.h"
+#include "tests/std.h"
 
 namespace snell::test {
 

@@ -1,8 +1,4 @@
 // Light through meshes: what shaders find by the tree, against the oracle's path in double precision.
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 #include "shaders/embedded.h"
 #include "src/content/mesh/tree.h"
 #include "tests/hard_case.h"

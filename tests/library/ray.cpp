@@ -1,11 +1,7 @@
-#include <algorithm>
-#include <cmath>
-#include <random>
-
+#include "tests/oracle/optics/ray.h"
 #include "shaders/embedded.h"
 #include "tests/hard_case.h"
 #include "tests/library/common.h"
-#include "tests/oracle/optics/ray.h"
 #include "tests/oracle/optics/refraction.h"
 
 namespace snell::test {

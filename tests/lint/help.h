@@ -1,13 +1,8 @@
 // Scenes and shaders from text, linted as `snell check` does.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "src/lint/lint.h"
+#include "tests/std.h"
 
 namespace snell::lint {
 

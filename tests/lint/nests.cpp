@@ -1,10 +1,4 @@
 // Loops in loops whose bounds depend on the counters around: told as often as an interpreter goes round.
-#include <algorithm>
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <random>
-
 #include "tests/lint/help.h"
 
 namespace snell::lint {

@@ -1,9 +1,4 @@
 // Lints of a scene and of what stands on its units; and those that must be silent.
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "parser/read/parse.h"
 #include "src/plan/plan.h"
 #include "tests/lint/help.h"

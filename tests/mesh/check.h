@@ -1,18 +1,8 @@
 // Facts about meshes that any right one has to show.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "src/content/mesh/mesh.h"
+#include "tests/std.h"
 
 namespace snell::content::check {
 

@@ -1,6 +1,4 @@
 // Boxes, quads, point clouds and vertex lists.
-#include <set>
-
 #include "tests/mesh/check.h"
 
 namespace snell::content {
@@ -60,22 +58,6 @@ INSTANTIATE_TEST_SUITE_P(Quad, Walls,
                                          Wall{"XzBelow", Plane::xz, -5, px, pz}, Wall{"YzRight", Plane::yz, 5, nz, py},
                                          Wall{"YzLeft", Plane::yz, -5, pz, py}),
                          [](const auto& wall) { return wall.param.name; });
-
-// The same directions again by what they are for: a wall shows what the cube map's face shows, by OpenGL's
-// table of faces (sc, tc, ma), with t = 0 at the bottom row where the cube's first row is the top.
-TEST(Quads, AroundTheOriginShowTheFacesOfACubeMap) {
-    for (const double side : {1., -1.})
-        for (const Plane plane : {Plane::xy, Plane::xz, Plane::yz}) {
-            const Mesh m = made(Quad{plane, side, 1, 2, 2});
-            for (std::size_t i = 0; i < m.positions.size(); ++i) {
-                const auto [x, y, z] = wide(m.positions[i]);
-                const double sc = plane == Plane::xy ? side * x : plane == Plane::xz ? x : -side * z;
-                const double tc = plane == Plane::xz ? side * z : -y;
-                EXPECT_NEAR(m.texcoords[i][0], (sc + 1) / 2, 1e-6);
-                EXPECT_NEAR(1 - m.texcoords[i][1], (tc + 1) / 2, 1e-6);
-            }
-        }
-}
 
 // Six walls split alike meet in the same vertices.
 TEST(Quads, OfARoomJoinWithoutSeams) {

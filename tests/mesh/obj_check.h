@@ -1,8 +1,6 @@
 // Reading .obj text in tests.
 #pragma once
 
-#include <sstream>
-
 #include "tests/mesh/check.h"
 
 namespace snell::content::check {

@@ -1,10 +1,6 @@
 // ESRI shape files, written by shapelib itself.
 #include <shapefil.h>
 
-#include <cmath>
-#include <fstream>
-#include <iterator>
-
 #include "tests/mesh/check.h"
 #include "tests/scratch.h"
 

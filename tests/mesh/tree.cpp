@@ -1,16 +1,7 @@
 #include "src/content/mesh/tree.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <ctime>
-#include <limits>
-#include <random>
-#include <set>
-
 #include "src/content/mesh/mesh.h"
 #include "tests/sanitized.h"
+#include "tests/std.h"
 
 namespace snell::content {
 namespace {

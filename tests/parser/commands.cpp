@@ -1,15 +1,12 @@
 // The table: what it promises, and that a malformed row does not compile.
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "parser/commands/commands.h"
 #include "tests/oracle/scene/print.h"
 #include "tests/parser/support.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
+#include "tests/words.h"
 
 namespace snell::test {
 namespace {
@@ -28,21 +25,10 @@ static_assert(Signature("").count == 1);
 // The compiler is asked: the errors must come at compile time.
 TEST(Signature, MalformedOnesDoNotCompile) {
     if (std::system("c++ --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no compiler here to refuse them";
-    const std::vector<std::string> bad = {"a:flaot",
-                                          "a:int=",
-                                          "a=x",
-                                          "a=1.2.3",
-                                          "a=1 b",
-                                          "a... b",
-                                          "a:rest b",
-                                          "a a",
-                                          "5a",
-                                          "a:on/",
-                                          "a!",
-                                          "a:on/off=maybe",
-                                          "a:path=x",
-                                          "a | b | c | d",
-                                          "a b c d e f g h i j k l m n o p q"};
+    const std::vector<std::string> bad = words(
+        "a:flaot,a:int=,a=x,a=1.2.3,a=1 b,a... b,a:rest b,a a,5a,a:on/,a!,a:on/off=maybe,a:path=x,"
+        "a | b | c | d,a b c d e f g h i j k l m n o p q",
+        ',');
     // One a line; the first is a good one.
     std::string text = "constexpr snell::Signature s0 = \"a b:int=5 c:path?\";\n";
     for (std::size_t i = 0; i < bad.size(); ++i)
@@ -83,82 +69,15 @@ TEST(Commands, AreFoundInAnyCaseAndByAlias) {
 }
 
 TEST(Commands, EveryCommandOfTheLanguageIsThere) {
-    for (const char* name : {"WindowSize",
-                             "Ortho",
-                             "Perspective",
-                             "Persp",
-                             "LookAt",
-                             "Background",
-                             "Clear",
-                             "Translate",
-                             "Rotate",
-                             "Scale",
-                             "PushMatrix",
-                             "TransformBegin",
-                             "PopMatrix",
-                             "TransformEnd",
-                             "Sphere",
-                             "Torus",
-                             "Cone",
-                             "Cylinder",
-                             "Box",
-                             "Cube",
-                             "Teapot",
-                             "DiskXY",
-                             "QuadXY",
-                             "QuadXZ",
-                             "QuadYZ",
-                             "QuadBox",
-                             "Soccerball",
-                             "PointCloud",
-                             "JitterCloud",
-                             "Xarrow",
-                             "WireSphere",
-                             "WireTorus",
-                             "WireCone",
-                             "WireCylinder",
-                             "WireBox",
-                             "WireTeapot",
-                             "WireObj",
-                             "Obj",
-                             "ObjAdj",
-                             "ObjPatch",
-                             "LinesAdjacency",
-                             "Triangles",
-                             "Shp",
-                             "glBegin",
-                             "glVertex",
-                             "glEnd",
-                             "glColor",
-                             "glNormal",
-                             "glTexCoord",
-                             "NumPatchVertices",
-                             "Color",
-                             "LineWidth",
-                             "PointSize",
-                             "PointSizeMode",
-                             "Flat",
-                             "Smooth",
-                             "Texture1D",
-                             "Texture2D",
-                             "Texture3D",
-                             "CubeMap",
-                             "Noise2D",
-                             "Noise3D",
-                             "Clamp",
-                             "RenderToTexture",
-                             "Vertex",
-                             "TessControl",
-                             "TessEvaluation",
-                             "Geometry",
-                             "Fragment",
-                             "GeometryInput",
-                             "GeometryOutput",
-                             "Program",
-                             "GSTAP",
-                             "Timer",
-                             "MessageBox",
-                             "Verbose"}) {
+    for (const std::string& name :
+         words("WindowSize Ortho Perspective Persp LookAt Background Clear Translate Rotate Scale PushMatrix "
+               "TransformBegin PopMatrix TransformEnd Sphere Torus Cone Cylinder Box Cube Teapot DiskXY "
+               "QuadXY QuadXZ QuadYZ QuadBox Soccerball PointCloud JitterCloud Xarrow WireSphere WireTorus "
+               "WireCone WireCylinder WireBox WireTeapot WireObj Obj ObjAdj ObjPatch LinesAdjacency Triangles "
+               "Shp glBegin glVertex glEnd glColor glNormal glTexCoord NumPatchVertices Color LineWidth "
+               "PointSize PointSizeMode Flat Smooth Texture1D Texture2D Texture3D CubeMap Noise2D Noise3D "
+               "Clamp RenderToTexture Vertex TessControl TessEvaluation Geometry Fragment GeometryInput "
+               "GeometryOutput Program GSTAP Timer MessageBox Verbose")) {
         ASSERT_NE(find_command(name), nullptr) << name;
         EXPECT_FALSE(find_command(name)->addition) << name;
     }

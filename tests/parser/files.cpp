@@ -1,12 +1,8 @@
 // Scenes as they are found, each with what must be said about it.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-
 #include "tests/oracle/scene/print.h"
 #include "tests/parser/support.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

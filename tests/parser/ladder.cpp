@@ -1,8 +1,7 @@
 // Ladders: what is read, what is refused, and what the programs know of them.
-#include <gtest/gtest.h>
-
 #include "tests/oracle/scene/print.h"
 #include "tests/parser/support.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

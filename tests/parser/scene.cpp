@@ -1,11 +1,8 @@
 // What statements mean: the display list.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "parser/commands/commands.h"
 #include "parser/text_of.h"
 #include "tests/parser/support.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

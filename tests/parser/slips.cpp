@@ -1,7 +1,6 @@
 // Slips of one kind each, and the one message that names them.
-#include <gtest/gtest.h>
-
 #include "tests/parser/support.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {

@@ -1,11 +1,5 @@
 // Sources, numbers, characters, suggestions, rendering.
-#include <gtest/gtest.h>
-
-#include <bit>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
-#include <random>
 
 #include "parser/commands/commands.h"
 #include "parser/text/diagnostic.h"
@@ -14,6 +8,7 @@
 #include "parser/text_of.h"
 #include "tests/decimal_comma.h"
 #include "tests/parser/support.h"
+#include "tests/std.h"
 
 namespace snell::test {
 namespace {
@@ -87,35 +82,22 @@ TEST(Number, ReadsWhatScenesWrite) {
 }
 
 TEST(Number, FindsFaults) {
-    const std::tuple<const char*, NumberFault, double> faulty[] = {{"0.1.", NumberFault::second_point, .1},
-                                                                   {"-0.6.", NumberFault::second_point, -.6},
-                                                                   {".05.", NumberFault::second_point, .05},
-                                                                   {"0..", NumberFault::second_point, 0},
-                                                                   {".1.5", NumberFault::second_point, .1},
-                                                                   {"1.0f", NumberFault::suffix, 1},
-                                                                   {"1e400", NumberFault::too_large, 0},
-                                                                   {"-1e400", NumberFault::too_large, 0},
-                                                                   {"1e39", NumberFault::too_large, 0},
-                                                                   {"3.4028236e38", NumberFault::too_large, 0},
-                                                                   {"nan", NumberFault::not_finite, 0},
-                                                                   {"INF", NumberFault::not_finite, 0},
-                                                                   {"-infinity", NumberFault::not_finite, 0},
-                                                                   {"0x10", NumberFault::hexadecimal, 0},
-                                                                   {"1d3", NumberFault::d_exponent, 0},
-                                                                   {"1D+3", NumberFault::d_exponent, 0},
-                                                                   {"\xE2\x88\x92"
-                                                                    "5",
-                                                                    NumberFault::odd_minus, 0},
-                                                                   {"1/2", NumberFault::suffix, 1},
-                                                                   {"", NumberFault::not_a_number, 0},
-                                                                   {".", NumberFault::not_a_number, 0},
-                                                                   {"-", NumberFault::not_a_number, 0},
-                                                                   {"+-5", NumberFault::not_a_number, 0},
-                                                                   {"--5", NumberFault::not_a_number, 0},
-                                                                   {"1e", NumberFault::suffix, 1},
-                                                                   {"1.2.x", NumberFault::suffix, 1.2},
-                                                                   {"6O", NumberFault::suffix, 6},
-                                                                   {"O.5", NumberFault::not_a_number, 0}};
+    using enum NumberFault;
+    const std::tuple<const char*, NumberFault, double> faulty[] = {
+        {"0.1.", second_point, .1},   {"-0.6.", second_point, -.6},
+        {".05.", second_point, .05},  {"0..", second_point, 0},
+        {".1.5", second_point, .1},   {"1.0f", suffix, 1},
+        {"1e400", too_large, 0},      {"-1e400", too_large, 0},
+        {"1e39", too_large, 0},       {"3.4028236e38", too_large, 0},
+        {"nan", not_finite, 0},       {"INF", not_finite, 0},
+        {"-infinity", not_finite, 0}, {"0x10", hexadecimal, 0},
+        {"1d3", d_exponent, 0},       {"1D+3", d_exponent, 0},
+        {"−5", odd_minus, 0},         {"1/2", suffix, 1},
+        {"", not_a_number, 0},        {".", not_a_number, 0},
+        {"-", not_a_number, 0},       {"+-5", not_a_number, 0},
+        {"--5", not_a_number, 0},     {"1e", suffix, 1},
+        {"1.2.x", suffix, 1.2},       {"6O", suffix, 6},
+        {"O.5", not_a_number, 0}};
     for (const auto& [text, fault, value] : faulty) {
         EXPECT_EQ(read_number(text).fault, fault) << text;
         EXPECT_EQ(read_number(text).value, value) << text;

@@ -1,14 +1,10 @@
 // Any bytes are read without harm, and what was understood can be written down and read again.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <random>
-
 #include "parser/commands/commands.h"
 #include "tests/fuzz/oracle.h"
 #include "tests/parser/support.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
+#include "tests/words.h"
 
 namespace snell::test {
 namespace {
@@ -31,63 +27,12 @@ TEST(Total, RandomBytes) {
 
 // Pieces of the language in any order go further into the parser than bytes do.
 TEST(Total, RandomPieces) {
-    std::vector<std::string> pieces{"\n",
-                                    "\n",
-                                    "\n",
-                                    " ",
-                                    " ",
-                                    "\\\n",
-                                    "\\",
-                                    "#",
-                                    "//",
-                                    "<",
-                                    ">",
-                                    "[",
-                                    "]",
-                                    "{",
-                                    "}",
-                                    "(",
-                                    ")",
-                                    ",",
-                                    ";",
-                                    "\"",
-                                    "=",
-                                    "?",
-                                    "true",
-                                    "uA",
-                                    "uB",
-                                    "uA <0. .5 1.>",
-                                    "1",
-                                    "-.5",
-                                    "1e39",
-                                    "0.1.",
-                                    "nan",
-                                    "1e-320",
-                                    "3e38",
-                                    "\r",
-                                    "\r\n",
-                                    "\xC2\xA0",
-                                    "\xE9",
-                                    "\xE2\x80\x9C",
-                                    "\xE2\x88\x92",
-                                    "a.vert",
-                                    "a\\b.obj",
-                                    "gl_patches",
-                                    "gl_points",
-                                    "on",
-                                    "off",
-                                    "Program Foo",
-                                    "RenderToTexture 6",
-                                    "Texture2D 6 64 64",
-                                    "Sphere\n",
-                                    "Rotate 30 1 2 3\n",
-                                    "Scale 1 2 3\n",
-                                    "Scale -1 1 1\n",
-                                    "Scale 0\n",
-                                    "glBegin gl_lines\n",
-                                    "glVertex 1 2 3\n",
-                                    "glColor 1 0 0\n",
-                                    "Translate 1 2 3\n"};
+    std::vector<std::string> pieces = words(
+        "\n|\n|\n| | |\\\n|\\|#|//|<|>|[|]|{|}|(|)|,|;|\"|=|?|true|uA|uB|uA <0. .5 1.>|1|-.5|1e39|0.1.|nan|"
+        "1e-320|3e38|\r|\r\n|\xC2\xA0|\xE9|\xE2\x80\x9C|\xE2\x88\x92|a.vert|a\\b.obj|gl_patches|gl_points|"
+        "on|off|Program Foo|RenderToTexture 6|Texture2D 6 64 64|Sphere\n|Rotate 30 1 2 3\n|Scale 1 2 3\n|"
+        "Scale -1 1 1\n|Scale 0\n|glBegin gl_lines\n|glVertex 1 2 3\n|glColor 1 0 0\n|Translate 1 2 3\n",
+        '|');
     for (const std::string_view name : command_names()) pieces.emplace_back(name);
     std::mt19937 random(2);
     for (int i = 0; i < 8'000; ++i) {

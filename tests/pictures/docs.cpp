@@ -1,19 +1,11 @@
 // The pictures of docs/language.md are the cases, drawn. To draw anew those that are missing or differ, and look at
 // them:
 //   SNELL_UPDATE_PICTURES=1 ./build/release/bin/pictures_tests --gtest_filter='Pictures.*'
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "parser/commands/commands.h"
 #include "src/content/image/image.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 constexpr int page_side = 160;
@@ -71,5 +63,4 @@ TEST_F(Pictures, ShowWhatTheCasesDraw) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

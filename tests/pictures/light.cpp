@@ -1,12 +1,5 @@
 // The pictures of docs/light.md: each scene of scenes/light with its variants side by side. To draw them anew:
 //   SNELL_UPDATE_PICTURES=1 ./build/release/bin/pictures_tests --gtest_filter='LightPictures.*'
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
 #include "src/content/image/image.h"
 #include "tests/harness/harness.h"
 

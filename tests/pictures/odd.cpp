@@ -1,11 +1,7 @@
 // tests/odd: what students really wrote. The parser's tests hold what is said of it; here it is drawn.
-#include <filesystem>
-#include <fstream>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 class Odd : public GlTest {};
@@ -43,5 +39,4 @@ TEST_F(Odd, IsDrawnAllTheSame) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -1,12 +1,8 @@
 // tests/cases: one scene for each command, each drawn, and facts about what it shows.
-#include <filesystem>
-#include <set>
-
 #include "parser/commands/commands.h"
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 const Pixel white{255, 255, 255, 255}, black{0, 0, 0, 255};
@@ -137,5 +133,4 @@ TEST_F(Cases, CullFaceTakesFacesAway) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

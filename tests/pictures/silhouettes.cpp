@@ -1,11 +1,7 @@
 // The solids cover what geometry says they cover.
-#include <cmath>
-#include <numbers>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -125,5 +121,4 @@ TEST_F(Silhouettes, NormalsPointOutward) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -1,10 +1,7 @@
 // Controls: values of the scene in the types of the linked program.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "src/plan/values/controls.h"
 #include "tests/plan/uniforms.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {
@@ -160,26 +157,14 @@ TEST(Controls, ColorsGainAndLoseAlpha) {
 }
 
 TEST(Controls, ArraysFillVectorsArraysAndMatrices) {
-    struct Row {
+    const struct {
         const char* type;
         int array;
         std::size_t count;
-    };
-    for (const Row& row : {Row{"vec2", 1, 2},
-                           {"vec3", 1, 3},
-                           {"vec4", 1, 4},
-                           {"ivec3", 1, 3},
-                           {"uvec2", 1, 2},
-                           {"bvec4", 1, 4},
-                           {"dvec3", 1, 3},
-                           {"mat2", 1, 4},
-                           {"mat3", 1, 9},
-                           {"mat4", 1, 16},
-                           {"mat2x3", 1, 6},
-                           {"float", 5, 5},
-                           {"vec3", 2, 6},
-                           {"int", 3, 3},
-                           {"mat2", 2, 8}}) {
+    } rows[] = {{"vec2", 1, 2},   {"vec3", 1, 3},  {"vec4", 1, 4}, {"ivec3", 1, 3}, {"uvec2", 1, 2},
+                {"bvec4", 1, 4},  {"dvec3", 1, 3}, {"mat2", 1, 4}, {"mat3", 1, 9},  {"mat4", 1, 16},
+                {"mat2x3", 1, 6}, {"float", 5, 5}, {"vec3", 2, 6}, {"int", 3, 3},   {"mat2", 2, 8}};
+    for (const auto& row : rows) {
         const Values ones(row.count, 1);
         const Case made = make(value_of("u", Kind::array, ones), active(row.type, row.array));
         EXPECT_EQ(made.control().value, ones) << row.type;
@@ -283,13 +268,9 @@ TEST(Controls, NumbersOfARangeInAnotherOrder) {
 // What a user interface can take without overflow: sliders compute in doubles, and draw in floats.
 TEST(Controls, SlidersHaveWidthsThatDoNotOverflow) {
     const double inf = std::numeric_limits<double>::infinity();
-    for (const Values& range : {Values{-3e38, 0, 3e38},
-                                {0, .5, inf},
-                                {std::nan(""), .5, 1},
-                                {0, std::nan(""), 1},
-                                {-inf, inf, inf},
-                                {-1e300, 0, 1e300},
-                                {0, 1e-320, 1e-310}}) {
+    const Values rows[] = {{-3e38, 0, 3e38}, {0, .5, inf},       {std::nan(""), .5, 1}, {0, std::nan(""), 1},
+                           {-inf, inf, inf}, {-1e300, 0, 1e300}, {0, 1e-320, 1e-310}};
+    for (const Values& range : rows) {
         for (const char* type : {"float", "int", "uint", "double", "bool", "vec3"}) {
             const Case made = make(value_of("u", Kind::range, range), active(type));
             const Control& control = made.control();

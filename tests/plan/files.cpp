@@ -1,10 +1,6 @@
 // Finding and reading files by the names that scenes write.
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <chrono>
-#include <thread>
 
 #include "parser/text/words.h"
 #include "src/plan/files.h"
@@ -12,6 +8,7 @@
 #include "src/plan/texts.h"
 #include "tests/sanitized.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

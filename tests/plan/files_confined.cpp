@@ -1,13 +1,8 @@
 // Files that are confined to a folder, whatever happens meanwhile.
-#include <gtest/gtest.h>
-
-#include <atomic>
-#include <filesystem>
-#include <thread>
-
 #include "src/plan/files.h"
 #include "src/plan/texts.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,12 +1,5 @@
 // Hard cases of matrices and of values, beside what the usual library gives for them.
-#include <gtest/gtest.h>
-
 #include <glm/gtc/matrix_transform.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 
 #include "src/plan/plan.h"
 #include "src/plan/values/controls.h"
@@ -14,6 +7,7 @@
 #include "src/plan/view.h"
 #include "tests/hard_case.h"
 #include "tests/plan/finite.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

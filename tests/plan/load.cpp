@@ -1,16 +1,12 @@
 // Meshes, pictures and cube maps of scenes, good files and bad.
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <cstring>
-#include <limits>
-
-#include <algorithm>
 
 #include "src/content/image/noise.h"
 #include "src/plan/plan.h"
 #include "tests/hard_case.h"
 #include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,12 +1,9 @@
 // What a scene and its files come to before anything is drawn.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "src/plan/plan.h"
 #include "src/plan/texts.h"
 #include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -1,13 +1,9 @@
 // From the text of a scene to plan and controls.
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <sstream>
-
 #include "parser/read/parse.h"
 #include "src/plan/plan.h"
 #include "tests/plan/uniforms.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

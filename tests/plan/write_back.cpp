@@ -1,14 +1,8 @@
 // Values back into the text: judged by reading the new text, and by the bytes that must not change.
 #include "src/plan/values/write_back.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <optional>
-#include <random>
-
 #include "parser/read/parse.h"
 #include "tests/plan/uniforms.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {
@@ -165,13 +159,6 @@ TEST(WriteBack, NumbersThatTheTextLacksAreAdded) {
     EXPECT_EQ(desk.text(), "Program G uA <0. 0.5, 1.> uC {.5 .5 .25} uV [1. 0. 3.]\n");
     desk.set("uC", {.5, .5, 0, .5});
     EXPECT_EQ(desk.text(), "Program G uA <0. 0.5, 1.> uC {.5 .5 0. .5} uV [1. 0. 3.]\n");
-}
-
-TEST(WriteBack, ARangeIsWidenedByAValueBeyondIt) {
-    Desk desk("Program G uA <.1 1.1 5.> uB <5. 1. .1>\n", {{"uA", active("float")}, {"uB", active("float")}});
-    desk.set("uA", {7});
-    desk.set("uB", {-2});
-    EXPECT_EQ(desk.text(), "Program G uA <.1 7. 7.> uB <5. -2. -2.>\n");
 }
 
 TEST(WriteBack, WhatHasNoPlaceIsRefusedWithAReason) {

@@ -1,11 +1,8 @@
 // The same scenes in the least and in other contexts: OpenGL 3.3, OpenGL ES, and one that draws no wide lines.
-#include <filesystem>
-
 #include "parser/commands/commands.h"
 #include "tests/harness/plain.h"
 
 namespace snell::test {
-
 namespace {
 
 class Context33 : public GlTest {
@@ -232,5 +229,4 @@ TEST_F(NarrowLines, AreColouredAsTheDriversWhereTheyAreCut) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

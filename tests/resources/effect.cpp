@@ -1,9 +1,5 @@
 // Sliders without effect, by the driver's code: against what the shaders' texts say, and against pictures.
 #include "src/runtime/resources/program.h"
-
-#include <algorithm>
-#include <cstdlib>
-
 #include "tests/harness/plain.h"
 
 namespace snell::test {
@@ -58,20 +54,18 @@ TEST_F(Effect, NoneOnAnyPixel) {
 }
 
 TEST_F(Effect, SomeAtSomeValue) {
-    for (const Case& c : {
-             Case{x, "gl_FragColor = vec4(uX * uOther);", "uX <0 .5 1>"},
-             Case{x, "gl_FragColor = vec4(uX == .37 ? 1. : uOther);", "uX <0 .5 1>"},
-             Case{x, "gl_FragColor = vec4(uX == -.37 ? 1. : uOther);", "uX <-1 .5 1>"},
-             Case{x, "gl_FragColor = vec4(uX > .371 && uX < .372 ? 1. : uOther);", "uX <0 .5 1>"},
-             Case{x, "gl_FragColor = vec4(abs(uX - .37) < .001 ? 1. : uOther);", "uX <0 .5 1>"},
-             Case{x, "gl_FragColor = vec4(max(uX, 50.) * uOther);", "uX <0 .5 60>"},
-             Case{x, "gl_FragColor = vec4(uX >= 30. ? 1. : uOther);", "uX <0 .5 30>"},
-             Case{x, "gl_FragColor = vec4(uX * 1e-6 + uOther);", "uX <0 .5 1>"},
-             Case{x, "if (uX > 30.5) discard; gl_FragColor = vec4(uOther);", "uX <0 .5 31>"},
-             Case{"uniform int uX;", "gl_FragColor = vec4(uX == 41 ? 1. : uOther);", "uX <0 1 50>"},
-             Case{"uniform bool uX;", "gl_FragColor = vec4(uX ? 1. : uOther);", "uX <false>"},
-         })
-        EXPECT_EQ(idle(c), "") << c.code;
+    const Case rows[] = {{x, "gl_FragColor = vec4(uX * uOther);", "uX <0 .5 1>"},
+                         {x, "gl_FragColor = vec4(uX == .37 ? 1. : uOther);", "uX <0 .5 1>"},
+                         {x, "gl_FragColor = vec4(uX == -.37 ? 1. : uOther);", "uX <-1 .5 1>"},
+                         {x, "gl_FragColor = vec4(uX > .371 && uX < .372 ? 1. : uOther);", "uX <0 .5 1>"},
+                         {x, "gl_FragColor = vec4(abs(uX - .37) < .001 ? 1. : uOther);", "uX <0 .5 1>"},
+                         {x, "gl_FragColor = vec4(max(uX, 50.) * uOther);", "uX <0 .5 60>"},
+                         {x, "gl_FragColor = vec4(uX >= 30. ? 1. : uOther);", "uX <0 .5 30>"},
+                         {x, "gl_FragColor = vec4(uX * 1e-6 + uOther);", "uX <0 .5 1>"},
+                         {x, "if (uX > 30.5) discard; gl_FragColor = vec4(uOther);", "uX <0 .5 31>"},
+                         {"uniform int uX;", "gl_FragColor = vec4(uX == 41 ? 1. : uOther);", "uX <0 1 50>"},
+                         {"uniform bool uX;", "gl_FragColor = vec4(uX ? 1. : uOther);", "uX <false>"}};
+    for (const Case& c : rows) EXPECT_EQ(idle(c), "") << c.code;
 }
 
 // Only what can be tried is judged.

@@ -1,7 +1,4 @@
 // Irradiance, Prefilter and RenderToCube, from the language to the frame.
-#include <cmath>
-#include <filesystem>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {

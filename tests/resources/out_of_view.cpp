@@ -1,7 +1,4 @@
 // Draws out of view are not handed to the driver, and no picture shows the difference.
-#include <cmath>
-#include <random>
-
 #include "src/runtime/resources/mesh.h"
 #include "tests/harness/plain.h"
 

@@ -1,6 +1,4 @@
 // Tessellation where the context has none, against the driver's own: the same pixels.
-#include <random>
-
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"

@@ -1,7 +1,4 @@
 // What a scene does not call for costs nothing, by exact counts; and what it does call for happens.
-#include <algorithm>
-#include <filesystem>
-
 #include "tests/harness/plain.h"
 
 namespace snell::test {

@@ -1,10 +1,7 @@
 // Geometry stages where the context has none, against the driver's own: the same pixels.
-#include <cstdlib>
-#include <random>
-
+#include "src/runtime/resources/stages.h"
 #include "parser/text/ranges.h"
 #include "src/app/window/session.h"
-#include "src/runtime/resources/stages.h"
 #include "tests/resources/without_stages.h"
 
 namespace snell::test {

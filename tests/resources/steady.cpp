@@ -1,9 +1,6 @@
 // A drag of a slider in the steady state: one uniform, and nothing from the heap, neither for the panels nor for the
 // picture.
 #include <imgui.h>
-
-#include <atomic>
-#include <cstdlib>
 #include <new>
 
 #include "src/app/window/measure/inspector_view.h"

@@ -1,9 +1,4 @@
 // Domains divided without the driver, against the driver's: the same vertices and primitives.
-#include <bit>
-#include <cstdlib>
-#include <random>
-#include <set>
-
 #include <fmt/format.h>
 
 #include "parser/text/ranges.h"

@@ -1,11 +1,6 @@
 // Texels as the window's texture panel gets them: against what shaders read at the same coordinates, and against known
 // values.
 #include "src/gl/texels.h"
-
-#include <bit>
-#include <cmath>
-#include <limits>
-
 #include "src/runtime/inspect.h"
 #include "tests/harness/harness.h"
 

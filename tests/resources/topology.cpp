@@ -1,7 +1,6 @@
 // How many primitives indices make, by the rules of the OpenGL specification (section 10.1).
-#include <gtest/gtest.h>
-
 #include "src/runtime/resources/mesh.h"
+#include "tests/std.h"
 
 namespace snell::runtime {
 namespace {

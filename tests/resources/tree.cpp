@@ -1,6 +1,4 @@
 // Programs that trace rays through what they draw get its triangles, and only they.
-#include <algorithm>
-
 #include "src/runtime/runtime.h"
 #include "tests/harness/harness.h"
 

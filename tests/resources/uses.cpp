@@ -1,12 +1,9 @@
 // The uniforms that the translator finds used, against the driver's lists of active uniforms: for every program of
 // every scene, for the small programs of the dialects, and for each of their stages alone.
-#include <filesystem>
-#include <random>
-#include <set>
-
 #include "src/gl/program.h"
 #include "src/plan/texts.h"
 #include "tests/harness/harness.h"
+#include "tests/settled/writer.h"
 
 namespace snell::test {
 namespace {
@@ -126,66 +123,14 @@ TEST_F(Uses, OfSmallProgramsAreTheDrivers) {
     expect_right(60);
 }
 
-// Random fragment shaders, full of what optimisers fold: zeros, ones, constant conditions, values that nothing reads.
-struct Writer {
-    std::mt19937 random;
-
-    std::string pick(std::initializer_list<std::string> all) { return *(all.begin() + random() % all.size()); }
-    std::string leaf() {
-        return pick({"uA", "uB", "uC", "uD", "uE", "uF", "v", "w", "float(uN)", "vST.x", "vST.y", "0.", "1.", ".5",
-                     "2.", "-1.", "noise"});
-    }
-    std::string number(int depth) {
-        if (depth == 0) return leaf();
-        const std::string a = number(depth - 1), b = number(random() % 2 ? depth - 1 : 0), c = leaf();
-        return pick({"(" + a + " + " + b + ")",
-                     "(" + a + " - " + b + ")",
-                     "(" + a + " * " + b + ")",
-                     "(" + a + " / " + b + ")",
-                     "min(" + a + ", " + b + ")",
-                     "max(" + a + ", " + b + ")",
-                     "clamp(" + a + ", 0., 1.)",
-                     "mix(" + a + ", " + b + ", " + c + ")",
-                     "step(" + a + ", " + b + ")",
-                     "sin(" + a + ")",
-                     "abs(" + a + ")",
-                     "fract(" + a + ")",
-                     "pow(abs(" + a + "), " + c + ")",
-                     "(" + a + " < " + b + " ? " + c + " : " + leaf() + ")",
-                     "vec3(" + a + ", " + b + ", " + c + ").y",
-                     "dot(vec2(" + a + ", " + b + "), vec2(" + c + ", " + leaf() + "))",
-                     "f(" + a + ", " + b + ")",
-                     "length(vec2(" + a + ", " + c + "))",
-                     "sqrt(" + a + " * " + a + ")",
-                     "(mat2(" + a + ", " + b + ", 0., 1.) * vec2(" + c + ", 1.)).x",
-                     "floor(" + a + ")",
-                     "smoothstep(0., " + c + ", " + a + ")"});
-    }
-    std::string truth() {
-        return pick({"uOn", "uN == 1", "uN > 2", number(1) + " < " + number(1), "abs(" + leaf() + ") >= 0.", "false",
-                     "uOn && !uOn", "uOn || " + leaf() + " > 0.", leaf() + " == " + leaf()});
-    }
-    std::string statement(int depth) {
-        const std::string set = pick({"v", "w"}) + pick({" = ", " = ", " += ", " *= "}) + number(2) + "; ";
-        if (depth == 0) return set;
-        const std::string inner = statement(depth - 1);
-        return pick({set, set, "if (" + truth() + ") { " + inner + "} else { " + set + "}",
-                     "if (" + truth() + ") { " + inner + "} ",
-                     "for (int i = 0; i < " + pick({"0", "1", "3", "uN"}) + "; ++i) { " + inner + "} ",
-                     "{ float v = " + number(1) + "; " + set + "} ",
-                     "s.k[" + pick({"0", "1", "uN"}) + "] = " + number(1) + "; ", "v = s.k[0]; ", "w = s.k[1]; ",
-                     "if (" + truth() + ") discard; "});
-    }
-    std::string text() {
-        std::string body;
-        for (int n = 0; n < 5; ++n) body += statement(2) + "\n";
-        return "#version 330 compatibility\nuniform float uA, uB, uC, uD, uE, uF; uniform bool uOn; uniform int uN;\n"
-               "in vec2 vST; struct S { float k[2]; };\n"
-               "float f(float x, float k) { if (k > 0.) return x * k; return x; }\n"
-               "void main() { float v = 1., w = 0., noise = vST.x * 3.; S s; s.k[0] = uA; s.k[1] = 0.;\n" +
-               body + "gl_FragColor = vec4(v, " + pick({"w", "0.", "v * w"}) + ", 1., 1.); }\n";
-    }
-};
+// Full of what optimisers fold: zeros, ones, constant conditions, values that nothing reads.
+std::string random_fragment(unsigned seed) {
+    std::mt19937 random(seed);
+    return "#version 330 compatibility\nuniform sampler2D uPicture;\nin vec2 vST;\n" + random_shader::declared() +
+           std::string(random_shader::functions) + "void main() {\nfloat vK = vST.x;\nvec3 live = vec3(vST, -1.);\n" +
+           std::string(random_shader::variables) + random_shader::Writer(random).statements() +
+           "gl_FragColor = vec4(a, b, c, v.x + v.y);\n}\n";
+}
 
 TEST_F(Uses, OfRandomProgramsAreTheDrivers) {
     const char* campaign = std::getenv("SNELL_USES");  // how many programs
@@ -196,7 +141,7 @@ TEST_F(Uses, OfRandomProgramsAreTheDrivers) {
         const std::string vertex =
                               "#version 330 compatibility\nout vec2 vST;\nvoid main() { vST = gl_MultiTexCoord0.st; "
                               "gl_Position = ftransform(); }\n",
-                          text = Writer{std::mt19937(n)}.text();
+                          text = random_fragment(n);
         const std::vector<glsl::StageInput> stages = {{Stage::vertex, sources.add("a.vert", vertex), {}},
                                                       {Stage::fragment, sources.add("a.frag", text), {}}};
         const std::size_t before = tally.wrong.size();

@@ -1,9 +1,6 @@
 // Scenes drawn by the driver's stages, and without them.
 #pragma once
 
-#include <cstdlib>
-#include <functional>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {

@@ -2,7 +2,6 @@
 #include "tests/harness/plain.h"
 
 namespace snell::test {
-
 namespace {
 
 const std::array<int, 3> red_rgb{255, 0, 0}, green_rgb{0, 255, 0}, blue_rgb{0, 0, 255}, white_rgb{255, 255, 255};
@@ -120,5 +119,4 @@ TEST_F(DisplayList, TheBackgroundClearsAndDefaultsToGlmans) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -1,6 +1,4 @@
 // Light and its encoding by the sRGB curve: of textures that are read, and of what the window shows.
-#include <cmath>
-
 #include "src/gl/present.h"
 #include "tests/hard_case.h"
 #include "tests/harness/plain.h"

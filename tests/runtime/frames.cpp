@@ -3,7 +3,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 class Frames : public GlTest {
@@ -40,30 +39,10 @@ TEST_F(Frames, TheTimerNeverReachesOne) {
     EXPECT_GE(runtime::timer_value(-1, 10), 0);
 }
 
-TEST_F(Frames, AFrameAtATimeIsTheSameBytesHoweverItWasReached) {
-    const std::string scene =
-        "Timer 7\nVertex plain.vert\nFragment timer.frag\nProgram T\nLookAt 0 0 4 0 0 0 0 1 0\nTeapot\n";
-    auto document = open(scene);
-    const Picture first = draw(*document, {.time = 3.3});
-    for (double time : {0.0, 100.0, 2.5}) draw(*document, {.time = time});
-    EXPECT_TRUE(draw(*document, {.time = 3.3}) == first);
-    EXPECT_TRUE(draw(scene, {.time = 3.3}) == first);
-}
-
 TEST_F(Frames, ValuesOfEveryKindReachTheProgram) {
     EXPECT_TRUE(near(draw(sliders).center(), {64, 128, 128, 255}));
     EXPECT_TRUE(near(draw(sliders, {.sets = {"uRed=1", "S.uGreen=0", "uCount=10"}}).center(), {255, 0, 255, 255}));
     EXPECT_TRUE(near(draw(sliders, {.sets = {"uOn=false"}}).center(), {64, 128, 0, 255}));
-}
-
-TEST_F(Frames, ASliderCostsOneUploadAndAnIdleFrameNone) {
-    auto document = open(sliders);
-    draw(*document);
-    const std::uint64_t first = document->runtime->counters().uniform_uploads;
-    draw(*document);
-    EXPECT_EQ(document->runtime->counters().uniform_uploads, first);
-    draw(*document, {.sets = {"uRed=.75"}});
-    EXPECT_EQ(document->runtime->counters().uniform_uploads, first + 1);
 }
 
 TEST_F(Frames, TheSceneTransformationTurnsThePictureAndLeavesEyeCoordinates) {
@@ -83,21 +62,6 @@ TEST_F(Frames, TheSceneTransformationTurnsThePictureAndLeavesEyeCoordinates) {
     look.view.eye.rotate_y = 180;
     const Picture eye = draw(scene, look);
     EXPECT_TRUE(near(eye.at(16, 32), {64, 128, 0, 255}, 4));
-}
-
-TEST_F(Frames, AnImageThatNothingSamplesIsNotDecoded) {
-    folder.write("texture.frag", texture_fragment);
-    std::string scene = "Ortho -1 1 -1 1\n";
-    for (int i = 0; i < 20; ++i) {
-        folder.write("t" + std::to_string(i) + ".bmp", bmp(1, 1, {{255, 0, 0}}));
-        scene += "Texture2D " + std::to_string(i) + " t" + std::to_string(i) + ".bmp\n";
-    }
-    auto document = open(
-        scene + "Vertex plain.vert\nFragment texture.frag\nProgram A uUnit 4\nQuadXY\nProgram B uUnit 9\nQuadXY\n");
-    expect_clean(*document);
-    draw(*document);
-    EXPECT_EQ(document->runtime->counters().images_decoded, 2U);
-    EXPECT_EQ(document->runtime->counters().textures, 2U);
 }
 
 TEST_F(Frames, OneMeshServesManyDraws) {
@@ -120,5 +84,4 @@ TEST_F(Frames, OddSizesAreDrawn) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

@@ -1,9 +1,6 @@
 // Hard cases of frames, in each kind of context.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {

@@ -1,9 +1,6 @@
 // Hard cases of places, times and shaders that the language leaves undefined, in each kind of context.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "tests/hard_case.h"
 #include "tests/oracle/optics/cube.h"
 #include "tests/oracle/optics/refraction.h"

@@ -1,9 +1,5 @@
 // What pixels are before they are made bytes: against values that shaders write on purpose, and depth against the
 // formula of the projection.
-#include <cmath>
-#include <cstring>
-#include <limits>
-
 #include "src/runtime/inspect.h"
 #include "tests/harness/harness.h"
 

@@ -1,13 +1,8 @@
 // A picture drawn part by part is the picture drawn at once: but for single pixels at edges, where vertices come to lie
 // between two points of the driver's grid (1/256 of a pixel) and are rounded the other way.
-#include <algorithm>
-#include <cstdlib>
-#include <cstring>
-
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 struct Parts {
@@ -180,5 +175,4 @@ TEST_F(RuntimeParts, AnotherBackground) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

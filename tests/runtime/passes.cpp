@@ -2,7 +2,6 @@
 #include "tests/harness/plain.h"
 
 namespace snell::test {
-
 namespace {
 
 const Pixel black{0, 0, 0, 255};
@@ -131,5 +130,4 @@ TEST_F(Passes, ACubeThatWasRenderedToIsNotMirrored) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

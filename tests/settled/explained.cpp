@@ -1,6 +1,4 @@
 // What values switch off is said with the uniform that does it.
-#include <filesystem>
-
 #include "tests/settled/settled.h"
 
 namespace snell::test {

@@ -1,9 +1,4 @@
 // Every scene, with programs for its values and with programs for any: the same pictures, messages and controls.
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <random>
-
 #include "tests/settled/settled.h"
 
 namespace snell::test {

@@ -1,8 +1,5 @@
 // The page of hard cases, from what tests measured.
-#include <gtest/gtest.h>
-
-#include <cmath>
-
+#include "tests/std.h"
 #include "tools/stability/record.h"
 
 namespace snell::stability {

@@ -4,15 +4,8 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
 #include <csignal>
-#include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <random>
-#include <thread>
 
 #include "src/app/desktop/settings.h"
 #include "src/app/open/states.h"
@@ -25,7 +18,6 @@
 #include "tests/harness/harness.h"
 
 namespace snell::test {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -380,5 +372,4 @@ TEST_F(Disk, SavingReadsNothingOutsideAndKeepsTheLimits) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

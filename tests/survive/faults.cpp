@@ -1,11 +1,6 @@
 // What goes wrong outside of the scene: drivers, memory, files that change. Each has a message and a status.
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
-
-#include <atomic>
-#include <filesystem>
-#include <thread>
 
 #include "tests/cli/run.h"
 #include "tests/harness/harness.h"

@@ -6,7 +6,6 @@
 #include "tests/sanitized.h"
 
 namespace snell::test {
-
 namespace {
 
 class Fences : public testing::Test {
@@ -53,5 +52,4 @@ TEST_F(Fences, PicturesFreeNoneThatIsLocked) {
 }
 
 }  // namespace
-
 }  // namespace snell::test

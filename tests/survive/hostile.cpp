@@ -1,19 +1,14 @@
 // Scenes of strangers: what they name must not be read, must not hang, must not reach the terminal.
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <chrono>
-#include <filesystem>
-#include <map>
-#include <thread>
 
 #include "src/platform/headless.h"
 #include "tests/cli/run.h"
 #include "tests/sanitized.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell {
 namespace {

@@ -5,10 +5,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-#include <atomic>
-#include <cstdio>
-#include <cstdlib>
-#include <string_view>
+#include "tests/std.h"
 
 namespace {
 

@@ -2,8 +2,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <chrono>
-
 #include "src/app/window/session.h"
 #include "src/app/window/survive/recovery.h"
 #include "src/plan/setup.h"

@@ -1,10 +1,4 @@
 // What does not end is ended: every command that draws or reads has --timeout, and status 4.
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <filesystem>
-#include <string>
-
 #include "tests/cli/command.h"
 #include "tests/sanitized.h"
 

@@ -17,7 +17,6 @@
 #include "tests/torture/tree.h"
 
 namespace snell::torture {
-
 namespace {
 
 using Clock = std::chrono::steady_clock;

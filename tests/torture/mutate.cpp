@@ -5,8 +5,9 @@
 #include <cctype>
 #include <iterator>
 
-namespace snell::torture {
+#include "tests/words.h"
 
+namespace snell::torture {
 namespace {
 
 constexpr std::size_t longest = 1 << 20;
@@ -21,46 +22,11 @@ const std::vector<std::string> numbers{
     "3f",    "012",   "1000",       "2"};
 
 // Characters that mean something to terminals, to readers of text, or to the languages.
-const std::vector<std::string> characters{std::string(1, '\0'),
-                                          "\x1b[31m",
-                                          "\x1b]0;x\x07",
-                                          "\r",
-                                          "\n",
-                                          "\t",
-                                          "\x7f",
-                                          "\xff",
-                                          "\x80",
-                                          "\xc2\x9b"
-                                          "31m",
-                                          "\xe2\x80\xae",
-                                          "\xc0\xaf",
-                                          "\xed\xa0\x80",
-                                          "\xef\xbb\xbf",
-                                          "\xf4\x90\x80\x80",
-                                          "\\",
-                                          "\"",
-                                          "'",
-                                          "#",
-                                          "%s%n",
-                                          "<",
-                                          ">",
-                                          "[",
-                                          "]",
-                                          "{",
-                                          "}",
-                                          "(",
-                                          ")",
-                                          ";",
-                                          ",",
-                                          "//",
-                                          "/*",
-                                          "*/",
-                                          "\\\n",
-                                          "..",
-                                          "/",
-                                          "~",
-                                          "$(x)",
-                                          "`"};
+const std::vector<std::string> characters =
+    words(std::string(1, '\0') +
+              "|\x1b[31m|\x1b]0;x\x07|\r|\n|\t|\x7f|\xff|\x80|\302\23331m|\xe2\x80\xae|\xc0\xaf|\xed\xa0\x80|"
+              "\xef\xbb\xbf|\xf4\x90\x80\x80|\\|\"|'|#|%s%n|<|>|[|]|{|}|(|)|;|,|//|/*|*/|\\\n|..|/|~|$(x)|`",
+          '|');
 
 struct Range {
     std::size_t begin = 0, end = 0;

@@ -11,7 +11,6 @@
 #include <sstream>
 
 namespace snell::torture {
-
 namespace {
 
 namespace fs = std::filesystem;

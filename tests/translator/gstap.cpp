@@ -1,7 +1,4 @@
 // The names of gstap.h, which glman put ahead of every shader.
-#include <optional>
-#include <string>
-
 #include "tests/translator/translate_help.h"
 
 namespace snell::glsl::test {

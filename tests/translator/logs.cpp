@@ -4,11 +4,6 @@
 // them if that differs ("== translated demo.frag"), its logs ("== log DRIVER", "== link log DRIVER"), and the
 // diagnostics that each of these logs must give ("== expect"). Further logs are about the same shaders, unless shaders
 // come before them.
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-
 #include "tests/translator/translate_help.h"
 
 namespace snell::glsl {
@@ -121,37 +116,34 @@ TEST(Logs, RefusedOperandsAreNamed) {
     struct Case {
         const char *statement, *log, *message, *help;
     };
-    for (const Case& c : {
-             Case{"if (v == 0) c = w;", "0:4(5): error: operands of `==' must have the same type",
-                  "'==' does not take a 'vec3' and an 'int'", "vec3(…)"},
-             Case{"if (v != w) c = w;", "0:4(5): error: operands of `!=' must have the same type",
-                  "'!=' does not take a 'vec3' and a 'vec4'", "same number"},
-             Case{"if (v < f) c = w;", "0:4(5): error: operands to relational operators must be scalar and numeric",
-                  "'<' does not take a 'vec3' and a 'float'", "length(v)"},
-             Case{"int k = n % 2.;", "0:4(9): error: RHS of operator % must be an integer",
-                  "'%' does not take an 'int' and a 'float'", "mod(x, y)"},
-             Case{"int k = n & f;", "0:4(9): error: RHS of `&' must be an integer",
-                  "'&' does not take an 'int' and a 'float'", "'&&'"},
-             Case{"vec3 q = v + w.xy;", "0:4(10): error: vector size mismatch for arithmetic operator",
-                  "'+' does not take a 'vec3' and a 'vec2'", "same number of components"},
-             Case{"vec3 q = m * w;", "0:4(10): error: size mismatch for matrix multiplication",
-                  "'*' does not take a 'mat3' and a 'vec4'", "a mat3 goes with a vec3"},
-             Case{"v2 += w;", "0:4(1): error: vector size mismatch for arithmetic operator",
-                  "'+' does not take a 'vec3' and a 'vec4'", "same number of components"},
-             Case{"float g = -b;", "0:4(11): error: operands to arithmetic operators must be numeric",
-                  "'-' does not take a 'bool'", "float(…)"},
-             Case{"if (!v) c = w;", "0:4(5): error: operand of `!' must be scalar boolean",
-                  "'!' does not take a 'vec3'", "compare"},
-             Case{"float g = b ? f : v;",
-                  "0:4(11): error: second and third operands of ?: operator must have matching types",
-                  "'? :' chooses between a 'float' and a 'vec3'", "same type"},
-             Case{"float g = v;", "ERROR: 0:4: '=' : dimension mismatch", "a 'vec3' cannot be assigned to a 'float'",
-                  "length(…)"},
-             Case{"v2 = f;", "ERROR: 0:4: '=' : dimension mismatch", "a 'float' cannot be assigned to a 'vec3'",
-                  "vec3(…)"},
-             Case{"c.rg = v;", "ERROR: 0:4: '=' : dimension mismatch", "a 'vec3' cannot be assigned to a 'vec2'",
-                  ".xy"},
-         }) {
+    const Case rows[] = {
+        {"if (v == 0) c = w;", "0:4(5): error: operands of `==' must have the same type",
+         "'==' does not take a 'vec3' and an 'int'", "vec3(…)"},
+        {"if (v != w) c = w;", "0:4(5): error: operands of `!=' must have the same type",
+         "'!=' does not take a 'vec3' and a 'vec4'", "same number"},
+        {"if (v < f) c = w;", "0:4(5): error: operands to relational operators must be scalar and numeric",
+         "'<' does not take a 'vec3' and a 'float'", "length(v)"},
+        {"int k = n % 2.;", "0:4(9): error: RHS of operator % must be an integer",
+         "'%' does not take an 'int' and a 'float'", "mod(x, y)"},
+        {"int k = n & f;", "0:4(9): error: RHS of `&' must be an integer", "'&' does not take an 'int' and a 'float'",
+         "'&&'"},
+        {"vec3 q = v + w.xy;", "0:4(10): error: vector size mismatch for arithmetic operator",
+         "'+' does not take a 'vec3' and a 'vec2'", "same number of components"},
+        {"vec3 q = m * w;", "0:4(10): error: size mismatch for matrix multiplication",
+         "'*' does not take a 'mat3' and a 'vec4'", "a mat3 goes with a vec3"},
+        {"v2 += w;", "0:4(1): error: vector size mismatch for arithmetic operator",
+         "'+' does not take a 'vec3' and a 'vec4'", "same number of components"},
+        {"float g = -b;", "0:4(11): error: operands to arithmetic operators must be numeric",
+         "'-' does not take a 'bool'", "float(…)"},
+        {"if (!v) c = w;", "0:4(5): error: operand of `!' must be scalar boolean", "'!' does not take a 'vec3'",
+         "compare"},
+        {"float g = b ? f : v;", "0:4(11): error: second and third operands of ?: operator must have matching types",
+         "'? :' chooses between a 'float' and a 'vec3'", "same type"},
+        {"float g = v;", "ERROR: 0:4: '=' : dimension mismatch", "a 'vec3' cannot be assigned to a 'float'",
+         "length(…)"},
+        {"v2 = f;", "ERROR: 0:4: '=' : dimension mismatch", "a 'float' cannot be assigned to a 'vec3'", "vec3(…)"},
+        {"c.rg = v;", "ERROR: 0:4: '=' : dimension mismatch", "a 'vec3' cannot be assigned to a 'vec2'", ".xy"}};
+    for (const Case& c : rows) {
         SCOPED_TRACE(c.statement);
         Translated t = fragment(
             "#version 330\nuniform float f; uniform int n; uniform vec3 v; uniform bool b; uniform mat3 m; uniform "

@@ -1,9 +1,5 @@
 // Directives, macros, includes, odd characters; and that lines stay where the user wrote them.
 #include "src/glsl/read/lexer.h"
-
-#include <algorithm>
-#include <map>
-
 #include "tests/translator/translate_help.h"
 
 namespace snell::glsl::test {

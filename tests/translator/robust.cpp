@@ -1,10 +1,4 @@
 // Any bytes, and any mutation of a valid shader: no crash, no hang.
-#include <array>
-#include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <random>
-
 #include "tests/fuzz/glsl_input.h"
 #include "tests/sanitized.h"
 #include "tests/scratch.h"

@@ -1,9 +1,4 @@
 #include "tests/translator/translate_help.h"
-
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-
 #include "tests/scratch.h"
 
 namespace snell::glsl::test {

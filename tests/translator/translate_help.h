@@ -1,13 +1,8 @@
 // What the tests of the translator share: one call that translates texts, and the reference compiler's verdict.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "src/glsl/glsl.h"
+#include "tests/std.h"
 
 namespace snell::glsl::test {
 

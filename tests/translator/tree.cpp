@@ -1,8 +1,5 @@
 // The tree that the light parser writes if asked.
 #include "src/glsl/read/tree.h"
-
-#include <filesystem>
-
 #include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
 #include "tests/scratch.h"

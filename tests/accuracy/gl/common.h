@@ -1,10 +1,6 @@
 // Scenes from text, on the bench.
 #pragma once
 
-#include <memory>
-#include <string>
-#include <string_view>
-
 #include "src/accuracy/found/change.h"
 #include "src/accuracy/measure.h"
 #include "src/document/document.h"

@@ -1,8 +1,5 @@
 // The eight mistakes of docs/teaching.md that rungs of scenes/light show, in scenes without ladders: each is found as a
 // better rung, with the error that the scene has against the form that is right.
-#include <algorithm>
-#include <memory>
-
 #include "src/accuracy/found/change.h"
 #include "tests/accuracy/gl/common.h"
 

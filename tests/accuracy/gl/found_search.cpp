@@ -1,11 +1,5 @@
 // Changes whose errors are known: what a search says of them must be that.
-#include <gtest/gtest.h>
 #include <malloc.h>
-
-#include <chrono>
-#include <cmath>
-#include <filesystem>
-#include <thread>
 
 #include "src/accuracy/found/search.h"
 #include "tests/accuracy/gl/common.h"
@@ -26,11 +20,13 @@ protected:
         options.times = times;
         options.rounds = 15;
         options.at_least = .5;
-        const BenchSettings settings{32, 32, 0, std::move(sets)};
+        return search(std::move(changes), options, {32, 32, 0, std::move(sets)});
+    }
+    FoundResult search(std::vector<Change> changes, const SearchOptions& options,
+                       const BenchSettings& settings = {32, 32, 0, {}}) {
         Search found({folder.path("scene.glib"), read->plan, *read->files, read->sources}, std::move(changes), caps,
                      settings, options);
-        while (found.step()) {
-        }
+        while (found.step()) continue;
         return found.take();
     }
 };
@@ -49,11 +45,8 @@ TEST_F(FoundSearch, EstimatesAreOfTheScenesOwnSize) {
     options.pixels = 1024;
     options.rounds = 25;
     options.at_least = 4;
-    const BenchSettings settings{256, 256, 0, {}};
-    Search search({folder.path("scene.glib"), read->plan, *read->files, read->sources},
-                  {change(ChangeKind::fewer_slices, "200 200", "50 50")}, caps, settings, options);
-    while (search.step()) continue;
-    const FoundResult found = search.take();
+    const FoundResult found =
+        search({change(ChangeKind::fewer_slices, "200 200", "50 50")}, options, {256, 256, 0, {}});
     const std::array<int, 2> small{32, 32}, whole{256, 256};
     EXPECT_EQ((std::array{found.search_width, found.search_height}), small);
     EXPECT_EQ(found.quick_size, whole);
@@ -98,19 +91,6 @@ void main() {
     EXPECT_EQ(rung.worst()->pixels_changed, 32u * 32u);
     EXPECT_NEAR(rung.worst()->own.display.rmse, 1.055 * (std::pow(.5, 1 / 2.4) - std::pow(.25, 1 / 2.4)), 1e-5);
     EXPECT_TRUE(found.positions[0].ends_with("full.frag:6:21")) << found.positions[0];
-}
-
-TEST_F(FoundSearch, TheWholePictureHasTheSameErrorOverMorePixels) {
-    folder.write("a.vert", "#version 330 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n");
-    folder.write("a.frag", "#version 330 compatibility\nvoid main() { gl_FragColor = vec4(1.); }\n");
-    // A quarter of the picture.
-    read_scene("Background 0 0 0\nVertex a.vert\nFragment a.frag\nProgram A\nTranslate 0 0 0\nQuadXY 0 .5\n");
-    const FoundResult found = search({change(ChangeKind::without_term, "vec4(1.)", "vec4(0.)")});
-    const Difference& worst = *found.rungs[0].worst();
-    EXPECT_EQ(worst.own.pixels, 256u);
-    EXPECT_NEAR(worst.own.light.rmse, 1, 1e-6);
-    EXPECT_NEAR(worst.whole.light.rmse, .5, 1e-6);
-    EXPECT_NEAR(worst.whole.light.mean, .25, 1e-6);
 }
 
 TEST_F(FoundSearch, FacesThatFaceAwayAreNotSeenFromOutsideAndAllThatIsSeenFromInside) {
@@ -345,11 +325,7 @@ TEST_F(FoundSearch, WithoutTimesEachRungIsHeldOutOrTellsWhyNot) {
     bool late = false;
     options.report = [&](const Progress& progress) { late = progress.doing == "places that were held out"; };
     options.stop = [&] { return late; };
-    Search stopped({folder.path("scene.glib"), read->plan, *read->files, read->sources}, changes, caps,
-                   BenchSettings{32, 32, 0, {}}, options);
-    while (stopped.step()) {
-    }
-    for (const FoundRung& rung : stopped.result().rungs) {
+    for (const FoundRung& rung : search(changes, options).rungs) {
         EXPECT_EQ(rung.outcome, Outcome::tried);
         EXPECT_FALSE(rung.held_out);
         EXPECT_EQ(rung.reason, "the search was stopped");
@@ -390,22 +366,17 @@ TEST_F(FoundSearch, WithoutTimeNothingIsTriedAndThatIsSaid) {
     read_scene(full_scene);
     SearchOptions options;
     options.seconds = 0;
-    Search none({folder.path("scene.glib"), read->plan, *read->files, read->sources},
-                {change(ChangeKind::polynomial, ".5", ".4")}, caps, {32, 32, 0, {}}, options);
-    while (none.step()) {
-    }
-    EXPECT_EQ(none.result().rungs[0].outcome, Outcome::not_tried);
-    EXPECT_EQ(none.result().rungs[0].reason, "the time was up");
-    EXPECT_TRUE(none.result().late);
+    const std::vector<Change> one{change(ChangeKind::polynomial, ".5", ".4")};
+    const FoundResult none = search(one, options);
+    EXPECT_EQ(none.rungs[0].outcome, Outcome::not_tried);
+    EXPECT_EQ(none.rungs[0].reason, "the time was up");
+    EXPECT_TRUE(none.late);
     int asked = 0;
     options.seconds = 30;
     options.stop = [&] { return ++asked > 1; };
-    Search stopped({folder.path("scene.glib"), read->plan, *read->files, read->sources},
-                   {change(ChangeKind::polynomial, ".5", ".4")}, caps, {32, 32, 0, {}}, options);
-    while (stopped.step()) {
-    }
-    EXPECT_TRUE(stopped.result().interrupted);
-    EXPECT_EQ(stopped.result().rungs[0].reason, "the search was stopped");
+    const FoundResult stopped = search(one, options);
+    EXPECT_TRUE(stopped.interrupted);
+    EXPECT_EQ(stopped.rungs[0].reason, "the search was stopped");
 }
 
 TEST_F(FoundSearch, WhatPassesBetweenStepsIsNotSpent) {

@@ -1,9 +1,7 @@
 // What timing pictures costs itself, and what is said of passes and draws.
-#include <algorithm>
-
+#include "src/app/window/measure/frame_costs.h"
 #include "src/accuracy/costs.h"
 #include "src/accuracy/timing.h"
-#include "src/app/window/measure/frame_costs.h"
 #include "src/gl/present.h"
 #include "tests/harness/harness.h"
 

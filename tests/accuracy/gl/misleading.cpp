@@ -1,7 +1,4 @@
 // Scenes that are made to mislead: whatever is said of them is true, or nothing is said.
-#include <chrono>
-#include <cmath>
-
 #include "src/accuracy/advice.h"
 #include "src/accuracy/measure.h"
 #include "src/accuracy/report/report.h"

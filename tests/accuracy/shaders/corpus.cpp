@@ -1,10 +1,4 @@
 // Changes of many shaders: all are translated without errors, and any bytes are read to their end.
-#include <algorithm>
-#include <filesystem>
-#include <map>
-#include <random>
-#include <set>
-
 #include "src/accuracy/timing.h"
 #include "tests/accuracy/shaders/help.h"
 #include "tests/sanitized.h"

@@ -1,8 +1,4 @@
 #include "tests/accuracy/shaders/help.h"
-
-#include <algorithm>
-#include <filesystem>
-
 #include "parser/read/parse.h"
 #include "src/accuracy/found/shaders/shader.h"
 #include "src/plan/texts.h"

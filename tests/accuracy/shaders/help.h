@@ -1,16 +1,9 @@
 // Scenes and the changes that are found in their shaders.
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "src/accuracy/found/change.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 
 namespace snell::accuracy::test {
 

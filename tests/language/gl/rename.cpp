@@ -1,6 +1,4 @@
 // A scene whose names are all others draws the same picture.
-#include <filesystem>
-
 #include "tests/harness/harness.h"
 #include "tests/language/rename_all.h"
 

@@ -1,10 +1,4 @@
 // The reflecting and refracting ball, pixel by pixel against double precision.
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/optics/gl/common.h"

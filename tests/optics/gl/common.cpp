@@ -1,11 +1,5 @@
 #include "tests/optics/gl/common.h"
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-
 namespace snell::test {
 namespace {
 

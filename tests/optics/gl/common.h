@@ -1,10 +1,6 @@
 // What the tests of orientation and optics share: the room's pictures, cameras, and the ball as it is tessellated.
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-
 #include "src/content/mesh/mesh.h"
 #include "tests/harness/harness.h"
 #include "tests/oracle/optics/cube.h"

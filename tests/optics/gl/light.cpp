@@ -1,12 +1,9 @@
 // The scenes of scenes/light: what each rung is off by, and that the right ones are right by the oracle.
-#include <cmath>
-#include <fstream>
-#include <iterator>
-
 #include "tests/optics/gl/common.h"
 #include "tests/oracle/optics/fresnel.h"
 #include "tests/oracle/optics/glass.h"
 #include "tests/oracle/optics/refraction.h"
+#include "tests/words.h"
 
 namespace snell::test {
 namespace {
@@ -52,16 +49,10 @@ protected:
     Rungs marked;
 };
 
-// What a choice is off by: root mean square difference over the whole picture.
-struct Step {
-    std::string rung;
-    double error;
-};
+// What choices are off by: root mean square differences over the whole picture, from wrong to right.
 struct Comparison {
-    const char* scene;
-    std::vector<std::string> reference;  // and the marked rungs
-    std::vector<std::string> sets;
-    std::vector<Step> steps;  // from wrong to right: each is nearer than the one before
+    const char *scene, *reference, *sets;  // rungs besides the marked ones, and values
+    const char* steps;                     // each is nearer than the one before
 };
 void PrintTo(const Comparison& c, std::ostream* out) { *out << c.scene; }
 
@@ -70,107 +61,54 @@ class LightSteps : public LightScene, public testing::WithParamInterface<Compari
 TEST_P(LightSteps, AreOffByWhatIsSaid) {
     const Comparison& c = GetParam();
     open_light(c.scene);
-    const std::vector<float> reference = values(c.reference, c.sets);
+    const std::vector<std::string> sets = words(c.sets, ' ');
+    const std::vector<float> reference = values(words(c.reference, ' '), sets);
     double before = 1e9;
-    for (const Step& step : c.steps) {
-        std::vector<std::string> rungs = c.reference;
-        rungs.push_back(step.rung);
-        const double error = rmse(values(rungs, c.sets), reference);
-        EXPECT_NEAR(error, step.error, .1 * step.error) << step.rung;
-        EXPECT_LT(error, before) << step.rung;
+    for (const std::string& step : words(c.steps, ';')) {
+        std::vector<std::string> rungs = words(c.reference, ' ');
+        double known = 0;
+        std::istringstream(step) >> rungs.emplace_back() >> known;
+        const double error = rmse(values(rungs, sets), reference);
+        EXPECT_NEAR(error, known, .1 * known) << step;
+        EXPECT_LT(error, before) << step;
         before = error;
     }
 }
 
 const Comparison comparisons[] = {
-    {"mirror",
-     {},
-     {},
-     {{"SPACE=eye", 0.1446},
-      {"LOCALITY=infinite", 0.0987},
-      {"NORMAL=interpolated", 0.038},
-      {"LOCALITY=impostor", 0.00101}}},
-    {"glass",
-     {},
-     {},
-     {{"BEND=none", 0.203},
-      {"RATIO=slider", 0.1958},
-      {"LENGTHS=any", 0.178},
-      {"MIRROR=constant", 0.0312},
-      {"BEND=both", 0.0164},
-      {"LOCALITY=impostor", 0.000833}}},
-    {"glass", {}, {}, {{"BEND=single", 0.1781}, {"LOCALITY=infinite", 0.1093}}},
-    {"globe", {}, {}, {{"BY=normal", 0.1135}}},
-    {"varnish", {}, {}, {{"SPACE=eye", 0.1060}, {"WHERE=vertex", 0.0311}}},
-    {"teapot", {}, {}, {{"NORMALS=model", 0.0883}}},
-    {"transparency",
-     {},
-     {},
-     {{"ORDER=glass_first", 0.0355}, {"OPACITY=constant", 0.0313}, {"SIDES=front", 0.0276}, {"SIDES=both", 0.0135}}},
-    {"transparency", {"OPACITY=by_angle", "SIDES=both"}, {}, {{"COSINE=any", 0.1838}}},
-    {"fresnel",
-     {},
-     {"uView=1"},
-     {{"FRESNEL=plus_cos", 0.389},
-      {"FRESNEL=cg", 0.3816},
-      {"FRESNEL=one_minus_cos", 0.2163},
-      {"FRESNEL=k", 0.1154},
-      {"FRESNEL=power2", 0.1113},
-      {"FRESNEL=unused", 0.0942},
-      {"FRESNEL=schlick", 0.00916},
-      {"FRESNEL=gaussian", 0.0085},
-      {"FRESNEL=cg_fitted", 0.005}}},
-    {"dispersion",
-     {"WAVELENGTHS=64"},
-     {},
-     {{"BEND=single", 0.1885},
-      {"FRESNEL=cg", 0.142},
-      {"COLOURS=steps", 0.0897},
-      {"COLOURS=one", 0.07},
-      {"COLOURS=three", 0.0229},
-      {"WAVELENGTHS=4", 0.0178},
-      {"WAVELENGTHS=8", 0.00846},
-      {"WAVELENGTHS=16", 0.00256}}},
-    {"reflectivity",
-     {},
-     {},
-     {{"MAP=off", 0.0994}, {"LOCALITY=infinite", 0.0551}, {"WHERE=vertex", 0.0109}, {"LOCALITY=impostor", 0.000805}}},
-    {"refractivity",
-     {},
-     {},
-     {{"MAP=off", 0.1935},
-      {"BEND=single", 0.1184},
-      {"FRESNEL=power", 0.1109},
-      {"FRESNEL=away", 0.0805},
-      {"FRESNEL=none", 0.0398},
-      {"WHERE=vertex", 0.00719}}},
-    {"spectrum",
-     {},
-     {},
-     {{"BEND=single", 0.3879}, {"ORDER=as_told", 0.1942}, {"COLOURS=three", 0.0414}, {"WAVELENGTHS=16", 0.00387}}},
-    {"crystal",
-     {},
-     {},
-     {{"FRESNEL=swapped", 0.0787}, {"FRESNEL=power", 0.0653}, {"BODY=unused", 0.0389}, {"SPREAD=steps", 0.0379}}},
-    {"ambient",
-     {"AMBIENT=quadrature"},
-     {},
-     {{"AMBIENT=small_map", 0.0804},
-      {"AMBIENT=constant", 0.0485},
-      {"AMBIENT=harmonics", 0.0026},
-      {"AMBIENT=irradiance", 0.00237}}},
-    {"carousel", {}, {}, {{"NEAR=infinite", 0.0597}, {"MAP=still", 0.0107}}},
-    {"metals", {"ROUGH=mirror"}, {}, {{"FRESNEL=f0", 0.00831}, {"FRESNEL=schlick", 0.00421}}},
-    {"workshop",
-     {},
-     {},
-     {{"REFRACTION=none", 0.1369},
-      {"REFRACTION=single", 0.0973},
-      {"REFRACTION=both", 0.0215},
-      {"NEARBY=still", 0.0112},
-      {"ORDERS=2", 0.0107},
-      {"DISPERSION=one", 0.00548},
-      {"FRESNEL=schlick", 0.0031}}},
+    {"mirror", "", "",
+     "SPACE=eye 0.1446; LOCALITY=infinite 0.0987; NORMAL=interpolated 0.038; LOCALITY=impostor 0.00101"},
+    {"glass", "", "",
+     "BEND=none 0.203; RATIO=slider 0.1958; LENGTHS=any 0.178; MIRROR=constant 0.0312; BEND=both 0.0164; "
+     "LOCALITY=impostor 0.000833"},
+    {"glass", "", "", "BEND=single 0.1781; LOCALITY=infinite 0.1093"},
+    {"globe", "", "", "BY=normal 0.1135"},
+    {"varnish", "", "", "SPACE=eye 0.1060; WHERE=vertex 0.0311"},
+    {"teapot", "", "", "NORMALS=model 0.0883"},
+    {"transparency", "", "",
+     "ORDER=glass_first 0.0355; OPACITY=constant 0.0313; SIDES=front 0.0276; SIDES=both 0.0135"},
+    {"transparency", "OPACITY=by_angle SIDES=both", "", "COSINE=any 0.1838"},
+    {"fresnel", "", "uView=1",
+     "FRESNEL=plus_cos 0.389; FRESNEL=cg 0.3816; FRESNEL=one_minus_cos 0.2163; FRESNEL=k 0.1154; "
+     "FRESNEL=power2 0.1113; FRESNEL=unused 0.0942; FRESNEL=schlick 0.00916; FRESNEL=gaussian 0.0085; "
+     "FRESNEL=cg_fitted 0.005"},
+    {"dispersion", "WAVELENGTHS=64", "",
+     "BEND=single 0.1885; FRESNEL=cg 0.142; COLOURS=steps 0.0897; COLOURS=one 0.07; COLOURS=three 0.0229; "
+     "WAVELENGTHS=4 0.0178; WAVELENGTHS=8 0.00846; WAVELENGTHS=16 0.00256"},
+    {"reflectivity", "", "",
+     "MAP=off 0.0994; LOCALITY=infinite 0.0551; WHERE=vertex 0.0109; LOCALITY=impostor 0.000805"},
+    {"refractivity", "", "",
+     "MAP=off 0.1935; BEND=single 0.1184; FRESNEL=power 0.1109; FRESNEL=away 0.0805; FRESNEL=none 0.0398; "
+     "WHERE=vertex 0.00719"},
+    {"spectrum", "", "", "BEND=single 0.3879; ORDER=as_told 0.1942; COLOURS=three 0.0414; WAVELENGTHS=16 0.00387"},
+    {"crystal", "", "", "FRESNEL=swapped 0.0787; FRESNEL=power 0.0653; BODY=unused 0.0389; SPREAD=steps 0.0379"},
+    {"ambient", "AMBIENT=quadrature", "",
+     "AMBIENT=small_map 0.0804; AMBIENT=constant 0.0485; AMBIENT=harmonics 0.0026; AMBIENT=irradiance 0.00237"},
+    {"carousel", "", "", "NEAR=infinite 0.0597; MAP=still 0.0107"},
+    {"metals", "ROUGH=mirror", "", "FRESNEL=f0 0.00831; FRESNEL=schlick 0.00421"},
+    {"workshop", "", "",
+     "REFRACTION=none 0.1369; REFRACTION=single 0.0973; REFRACTION=both 0.0215; NEARBY=still 0.0112; "
+     "ORDERS=2 0.0107; DISPERSION=one 0.00548; FRESNEL=schlick 0.0031"},
 };
 
 std::string comparison_name(const testing::TestParamInfo<Comparison>& info) {

@@ -65,72 +65,19 @@ constexpr std::array<Glass, 11> table = {{
 
 constexpr std::array<double, 13> wavelengths = {397.4, 413.3, 430.5, 450.9, 471.4, 495.9, 520.9,
                                                 548.6, 582.1, 616.8, 659.5, 704.5, 756.0};
-constexpr std::array<Complex, 13> gold = {{{1.47, 1.952},
-                                           {1.46, 1.958},
-                                           {1.45, 1.948},
-                                           {1.38, 1.914},
-                                           {1.31, 1.849},
-                                           {1.04, 1.833},
-                                           {0.62, 2.081},
-                                           {0.43, 2.455},
-                                           {0.29, 2.863},
-                                           {0.21, 3.272},
-                                           {0.14, 3.697},
-                                           {0.13, 4.103},
-                                           {0.14, 4.542}}};
-constexpr std::array<Complex, 13> silver = {{{0.05, 2.070},
-                                             {0.05, 2.275},
-                                             {0.04, 2.462},
-                                             {0.04, 2.657},
-                                             {0.05, 2.869},
-                                             {0.05, 3.093},
-                                             {0.05, 3.324},
-                                             {0.06, 3.586},
-                                             {0.05, 3.858},
-                                             {0.06, 4.152},
-                                             {0.05, 4.483},
-                                             {0.04, 4.838},
-                                             {0.03, 5.242}}};
-constexpr std::array<Complex, 13> copper = {{{1.32, 2.116},
-                                             {1.28, 2.207},
-                                             {1.25, 2.305},
-                                             {1.24, 2.397},
-                                             {1.25, 2.483},
-                                             {1.22, 2.564},
-                                             {1.18, 2.608},
-                                             {1.02, 2.577},
-                                             {0.70, 2.704},
-                                             {0.30, 3.205},
-                                             {0.22, 3.747},
-                                             {0.21, 4.205},
-                                             {0.24, 4.665}}};
+// eta and k of each wavelength in turn.
+using Row = std::array<double, 26>;
+constexpr Row gold = {1.47,  1.952, 1.46,  1.958, 1.45,  1.948, 1.38,  1.914, 1.31,  1.849, 1.04,  1.833, 0.62,
+                      2.081, 0.43,  2.455, 0.29,  2.863, 0.21,  3.272, 0.14,  3.697, 0.13,  4.103, 0.14,  4.542};
+constexpr Row silver = {0.05,  2.070, 0.05,  2.275, 0.04,  2.462, 0.04,  2.657, 0.05,  2.869, 0.05,  3.093, 0.05,
+                        3.324, 0.06,  3.586, 0.05,  3.858, 0.06,  4.152, 0.05,  4.483, 0.04,  4.838, 0.03,  5.242};
+constexpr Row copper = {1.32,  2.116, 1.28,  2.207, 1.25,  2.305, 1.24,  2.397, 1.25,  2.483, 1.22,  2.564, 1.18,
+                        2.608, 1.02,  2.577, 0.70,  2.704, 0.30,  3.205, 0.22,  3.747, 0.21,  4.205, 0.24,  4.665};
 // Interpolated to these wavelengths from the author's own, which lie 30 to 45 nm apart.
-constexpr std::array<Complex, 13> aluminium = {{{0.481, 4.803},
-                                                {0.521, 5.001},
-                                                {0.572, 5.215},
-                                                {0.636, 5.465},
-                                                {0.709, 5.712},
-                                                {0.798, 6.0},
-                                                {0.892, 6.291},
-                                                {1.009, 6.611},
-                                                {1.169, 6.988},
-                                                {1.35, 7.371},
-                                                {1.624, 7.8},
-                                                {1.958, 8.175},
-                                                {2.427, 8.435}}};
-constexpr std::array<Complex, 13> chromium = {{{2.00, 2.83},
-                                               {2.08, 2.93},
-                                               {2.19, 3.04},
-                                               {2.33, 3.14},
-                                               {2.51, 3.24},
-                                               {2.75, 3.30},
-                                               {2.94, 3.33},
-                                               {3.18, 3.33},
-                                               {3.22, 3.30},
-                                               {3.17, 3.30},
-                                               {3.09, 3.34},
-                                               {3.05, 3.39},
-                                               {3.08, 3.42}}};
+constexpr Row aluminium = {0.481, 4.803, 0.521, 5.001, 0.572, 5.215, 0.636, 5.465, 0.709, 5.712, 0.798, 6.0,   0.892,
+                           6.291, 1.009, 6.611, 1.169, 6.988, 1.35,  7.371, 1.624, 7.8,   1.958, 8.175, 2.427, 8.435};
+constexpr Row chromium = {2.00, 2.83, 2.08, 2.93, 2.19, 3.04, 2.33, 3.14, 2.51, 3.24, 2.75, 3.30, 2.94,
+                          3.33, 3.18, 3.33, 3.22, 3.30, 3.17, 3.30, 3.09, 3.34, 3.05, 3.39, 3.08, 3.42};
 constexpr std::string_view johnson = "Johnson and Christy 1972";
 constexpr std::array<Metal, 5> metal_table = {{{"gold", johnson, gold},
                                                {"silver", johnson, silver},
@@ -155,10 +102,10 @@ const Glass* find_glass(std::string_view name) {
 Complex Metal::index(double nanometres) const {
     const double nm = std::isnan(nanometres) ? line_d : std::clamp(nanometres, wavelengths.front(), wavelengths.back());
     const auto above = std::ranges::upper_bound(wavelengths, nm);
-    if (above == wavelengths.end()) return values.back();
+    if (above == wavelengths.end()) return {values[24], values[25]};
     const auto i = static_cast<std::size_t>(above - wavelengths.begin());
     const double t = (nm - wavelengths[i - 1]) / (wavelengths[i] - wavelengths[i - 1]);
-    return {std::lerp(values[i - 1].eta, values[i].eta, t), std::lerp(values[i - 1].k, values[i].k, t)};
+    return {std::lerp(values[2 * i - 2], values[2 * i], t), std::lerp(values[2 * i - 1], values[2 * i + 1], t)};
 }
 
 std::span<const Metal> metals() { return metal_table; }

@@ -33,7 +33,7 @@ struct Complex {
 };
 struct Metal {
     std::string_view name, source;
-    std::span<const Complex> values;  // from 397.4 to 756 nm
+    std::span<const double, 26> values;  // eta and k in turn, from 397.4 to 756 nm
     // Linear between the measurements, clamped to their range; NaN: as for 587.56 nm.
     Complex index(double nanometres) const;
 };

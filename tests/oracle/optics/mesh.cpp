@@ -135,20 +135,6 @@ std::optional<MeshHit> MeshTracer::nearest(const Ray& ray, double after, Facing 
     return best;
 }
 
-std::optional<MeshHit> MeshTracer::nearest_by_all(const Ray& ray, double after) const {
-    if (!unit(ray.direction) || !finite(ray.origin)) return std::nullopt;
-    const Sheared sheared(ray);
-    std::optional<MeshHit> best;
-    for (std::uint32_t triangle : order_) {
-        const double before = best ? best->distance : std::numeric_limits<double>::infinity();
-        auto hit = meet_triangle(sheared, &corners_[triangle * 3], after, before, Facing::both);
-        if (!hit) continue;
-        hit->triangle = triangle;
-        best = hit;
-    }
-    return best;
-}
-
 glm::dvec3 MeshTracer::face_normal(std::size_t triangle) const {
     const glm::dvec3* corner = &corners_[triangle * 3];
     return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);

@@ -33,8 +33,6 @@ public:
     // slips between triangles that share their corners bit for bit. A triangle without area is never hit. nullopt:
     // none, or the direction is zero or not finite.
     std::optional<MeshHit> nearest(const Ray& ray, double after = 0.0, Facing facing = Facing::both) const;
-    // The same by trying every triangle: the reference of the hierarchy.
-    std::optional<MeshHit> nearest_by_all(const Ray& ray, double after = 0.0) const;
 
     std::size_t triangles() const { return corners_.size() / 3; }
     // Not of unit length: twice the triangle's area, by the right hand from its first corner to the third.

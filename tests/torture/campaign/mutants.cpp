@@ -6,19 +6,10 @@
 //   SNELL_TORTURE_JOBS      at a time (1)
 //   SNELL_TORTURE_OUT       a folder that exists, for the list of all and the files of what failed
 //   SNELL_TORTURE_PROGRAM   another build of snell
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <atomic>
-#include <cstdio>
-#include <filesystem>
-#include <map>
-#include <mutex>
-#include <thread>
-
 #include "src/content/image/image.h"
 #include "src/platform/headless.h"
 #include "tests/scratch.h"
+#include "tests/std.h"
 #include "tests/torture/campaign/campaign.h"
 #include "tests/torture/child.h"
 #include "tests/torture/tree.h"
