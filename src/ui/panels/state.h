@@ -58,13 +58,14 @@ struct CostRow {
 };
 
 struct FrameCostFacts {
-    std::span<const float> frames;    // of the last pictures, in milliseconds as Facts::frame_ms, oldest first
+    std::span<const float> frames;    // of the last sharp pictures, in milliseconds as Facts::frame_ms, oldest first
     float median = 0, high = 0;       // `high` is the 95th percentile
     std::span<const CostRow> passes;  // of the frames that were drawn, by the GPU's clock; empty if it has none
     std::span<const CostRow> apart;   // measured on request, in additional frames
     std::string_view apart_clock;
     double apart_plain = 0;           // a whole one of these frames, without waits or queries between its draws
     std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
+    int coarse = 0;                   // number of coarse pictures, which are not among `frames`
 };
 
 struct SampleCards {
