@@ -199,7 +199,10 @@ void loading(const std::string& text, double share) {
 void first_picture(const Facts& facts, const Rect& scene, Layout& layout) {
     if (!facts.first_picture) return;
     const float em = ImGui::GetFontSize();
-    const Text text = shortened(Text("Drawing the first picture of {}\u2026", facts.file).view(), scene.width - 3 * em);
+    Text whole("Drawing the first picture of {}", facts.file);
+    if (facts.longest_picture > 0) whole.add(", for {:g} s at most", facts.longest_picture);
+    whole.add("\u2026");
+    const Text text = shortened(whole.view(), scene.width - 3 * em);
     const ImVec2 size(width_of(text.view()) + 2 * em, 2 * em);
     const ImVec2 at(std::round(scene.x + (scene.width - size.x) / 2),
                     std::round(scene.y + (scene.height - size.y) / 2));

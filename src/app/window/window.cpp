@@ -475,6 +475,7 @@ ui::Facts App::facts() {
     if (const auto share = measuring_.flagged()) add("marks", *share);
     facts.renderer = caps_.renderer;
     facts.first_picture = first_picture();
+    facts.longest_picture = options_.timeout;
     workspace_.tell(facts, memory);
     facts.full_screen = window_->full_screen();
     picking_.tell(facts, document, memory.hold);

@@ -86,6 +86,7 @@ struct Facts {
     bool stale = false;                    // the picture shows an earlier version of the files
     bool incomplete = false;               // that version has errors, too
     bool first_picture = false;            // it is drawn next: no picture of the scene is there yet
+    double longest_picture = 0;            // seconds after which one is given up; 0: never
     std::uint64_t revision = 0;            // increases each time the files are read
     bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
     double time = 0;                       // seconds since the scene began
