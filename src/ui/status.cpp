@@ -107,7 +107,7 @@ void add_cost(const Facts& facts, Parts& parts) {
         time.width = std::max(time.width, width_of("t = 1000.00 s"));
         time.right = true;
     }
-    if (!facts.grain.empty()) parts.add("status.grain", 65, facts.grain).right = true;
+    if (!facts.grain.empty()) parts.add("status.grain", 75, facts.grain).right = true;
     Part& cost = parts.add("status.cost", 70, Text("picture {:.1f} ms", facts.frame_ms).view());
     cost.width = std::max(cost.width, width_of("picture 100.0 ms"));
     cost.right = true;

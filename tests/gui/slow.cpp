@@ -170,6 +170,45 @@ TEST_F(SlowPictures, SideBySideAreAsCoarseAndComeInStripsTogether) {
     EXPECT_GT(state()["strips"], strips + 1);
 }
 
+// Strips share what is off-screen with pictures that are saved meanwhile, of other moments.
+TEST_F(SlowPictures, AreOfOneMomentWhileASequenceIsSaved) {
+    save("time.frag", "uniform float uTime;\nvoid main() { gl_FragColor = vec4(.2 + .02 * uTime, 0., 0., 1.); }\n");
+    save("paint.frag",
+         "uniform float uRounds;\nuniform sampler2D uMap;\nvoid main() {\n    float x = gl_FragCoord.x;\n"
+         "    for (int i = 0; i < int(uRounds); ++i) x += sin(x);\n"
+         "    gl_FragColor = vec4(texture2D(uMap, vec2(.5)).r, 1., 1e-9 * x, 1.);\n}\n");
+    save("slow.glib",
+         "Ortho -1 1 -1 1\nTexture2D 5 16 16\nRenderToTexture 5\nVertex paint.vert\nFragment time.frag\nProgram Time\n"
+         "QuadXY 0. 9.\nRenderToTexture\nFragment paint.frag\nProgram Paint uMap 5 uRounds <1. 2500. 3000.>\n"
+         "QuadXY 0. 9.\n");
+    open("slow.glib", {"--no-specialise", "--exit-after", "60"});
+    user("key space");
+    settle();
+    EXPECT_EQ(state()["grain"], 0);
+    const Pixel color = scene_pixel(0, 60);
+    choose("save", "picture");
+    type("picture file", file("f.png"), Field::unconfirmed);
+    type("picture width", "64", Field::number);
+    type("picture height", "64", Field::number);
+    click("picture sequence");
+    type("picture from", "20", Field::number);
+    type("picture to", "30", Field::number);
+    type("picture rate", "1", Field::number);
+    const auto [x, y] = on("picture save");
+    const int strips = state()["strips"];
+    user("search --onlyvisible --name slow windowsize 800 580 sleep .3 mousemove " + std::to_string(x) + " " +
+         std::to_string(y - 10) + " click 1");
+    EXPECT_TRUE(wait([&](const json& s) { return s["strips"] > strips + 1; }));
+    EXPECT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().starts_with("saved "); })) << state();
+    settle();
+    const std::array<double, 4> scene = state()["scene"];
+    const Picture picture = look();
+    for (int row = 2; row < static_cast<int>(scene[3]) - 2; row += 4) {
+        EXPECT_EQ(picture.at(30, row), color) << row;
+        if (HasFailure()) break;
+    }
+}
+
 // What frame cost plots is of sharp pictures; the coarse ones are counted apart.
 TEST_F(SlowPictures, HaveCostsOfSharpOnesAlone) {
     open("slow.glib", {"--no-specialise"});

@@ -105,8 +105,11 @@ void Display::draw_all(const std::function<void(const Step&)>* after, float dens
         Frame frame{drawn.stand.time, view, document->controls, !part};
         frame.after = std::exchange(after, nullptr);
         frame.enlarged = divide;
-        frame.standing = part && (part->bottom > 0 || part->left > 0);
+        // Something else may have been drawn since the last strip, such as a picture that is being saved.
+        const bool first = !part || (part->bottom == 0 && part->left == 0);
+        frame.standing = !first && document->runtime->counters().frames == side.frames;
         document->runtime->draw(frame, {canvas.framebuffer(), size.width, size.height, part});
+        side.frames = document->runtime->counters().frames;
         const bool last =
             !part || (part->bottom + part->height == size.height && part->left + part->width == size.width);
         if (last && drawn.object != none)

@@ -111,7 +111,8 @@ private:
     struct Side {
         Canvases canvases;  // the last picture is in one of them, see Drawn::grain
         Drawn drawn;
-        Half half;  // what is shown next
+        Half half;                 // what is shown next
+        std::uint64_t frames = 0;  // Counters::frames of its document after its last strip
 
         bool other() const;  // than the last picture, not only moved
         bool moved() const;

@@ -468,11 +468,10 @@ ui::Facts App::facts() {
     facts.frame_ms = display_.counters().frame_ms;
     facts.samples = display_.samples();
     facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
-    const auto add = [&](const char* what, double share) {
-        facts.grain += fmt::format("{}{}: {:.0f} %", facts.grain.empty() ? "" : "; ", what, 100 * share);
-    };
-    if (const double share = display_.sharp_share(); share > 0) add("sharp one", share);
-    if (const auto share = measuring_.flagged()) add("marks", *share);
+    if (const double share = display_.sharp_share(); share > 0)
+        facts.grain = fmt::format("sharp one: {:.0f} %", 100 * share);
+    else if (const auto flagged = measuring_.flagged())
+        facts.grain = fmt::format("marks: {:.0f} %", 100 * *flagged);
     facts.renderer = caps_.renderer;
     facts.first_picture = first_picture();
     facts.longest_picture = options_.timeout;
