@@ -35,9 +35,9 @@ void Coarseness::drew(double ms) {
 
 double Coarseness::foreseen() const { return costs_.back().ms * grains.back().divide * grains.back().divide; }
 
-bool Coarseness::foresaw(double ms, double now) {
+bool Coarseness::foresaw(double ms, double now, double most) {
     costs_.back().ms = ms;
-    if (!lasts()) return false;
+    if (!lasts(most)) return false;
     ++costs_.back().frames;
     grain_ = dragged_ = coarsest;
     until_ = now + rest;

@@ -36,11 +36,13 @@ public:
     // so it is not judged.
     void drew(double ms);
     // Where nobody knows how long the next picture takes: tells what one of the coarsest grain took. Returns true if it
-    // is the next picture, because a sharp one may take longer than `patience`.
-    bool foresaw(double ms, double now);
+    // is the next picture, because a sharp one may take longer than `patience`, but less than `most`.
+    bool foresaw(double ms, double now, double most = std::numeric_limits<double>::infinity());
     // Milliseconds of a sharp picture at the most, as the last one of the coarsest grain tells; 0: none tells.
     double foreseen() const;
-    bool lasts() const { return foreseen() > patience; }
+    bool lasts(double most = std::numeric_limits<double>::infinity()) const {
+        return foreseen() > patience && foreseen() < most;
+    }
     // Nothing is dragged any more, as far as the mouse tells: the next picture is sharp.
     void released() { until_ = -1e9; }
     // When a sharp picture is due if nothing moves; infinite if the picture is sharp.

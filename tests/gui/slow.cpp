@@ -232,6 +232,43 @@ TEST_F(SlowPictures, HaveCostsOfSharpOnesAlone) {
     expect_sharp(2);
 }
 
+// The text shows no long loops: the picture before tells, from which one cannot know how much of it the compiler took.
+TEST_F(SlowPictures, AreCoarseOnceOneTookLongWhateverTheTextSays) {
+    const std::string dear = "x += sin(x + cos(x * 1.7)) + exp(-x * x) * pow(abs(x) + .1, 1.3);";
+    save("paint.frag",
+         "uniform float uPhase;\nvoid main() {\n    float x = gl_FragCoord.x + uPhase;\n"
+         "    for (int i = 0; i < 900; ++i) { " +
+             dear +
+             " }\n"
+             "    gl_FragColor = vec4(0., 1., 1e-9 * x, 1.);\n}\n");
+    open("slow.glib", {"--no-specialise", "--size", "1000x700"});
+    EXPECT_EQ(drawn(), (std::array{1, 0})) << "nobody could know";
+    const auto [x, y] = on("Paint.uPhase", .2);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " mousedown 1 mousemove_relative 9 0");
+    EXPECT_TRUE(coarse_since());
+    EXPECT_EQ(state()["frames"].get<int>() - state()["coarse"].get<int>(), 1) << "the first change is coarse";
+    user("mouseup 1");
+    settle();
+    EXPECT_GT(state()["strips"], 3);
+}
+
+// Neither a coarse picture nor a strip of it would be quicker.
+TEST_F(SlowPictures, AreDrawnAtOnceWhereVerticesTakeLong) {
+    save("paint.vert",
+         "uniform float uPhase;\nvoid main() {\n    float x = gl_Vertex.x + uPhase;\n"
+         "    for (int i = 0; i < 900; ++i) x += sin(x + cos(x * 1.7)) + exp(-x * x);\n"
+         "    gl_Position = ftransform() + vec4(0., 0., 1e-9 * x, 0.);\n}\n");
+    save("paint.frag", "void main() { gl_FragColor = vec4(0., 1., 0., 1.); }\n");
+    save("slow.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPhase <0. 0. 1.>\nSphere 1. 240 240\n");
+    open("slow.glib", {"--no-specialise"});
+    drawn();
+    type("Paint.uPhase", "0.25", Field::number);
+    settle();
+    EXPECT_EQ(drawn(), (std::array{1, 0}));
+    EXPECT_EQ(state()["strips"], 0);
+    EXPECT_GT(state()["ms"][0], 500) << "so that the test judges something";
+}
+
 // Strip by strip, a sharp picture is that which is drawn at once.
 TEST_F(SlowPictures, AreSharpFromTheStartWhereNoneMayBeCoarse) {
     save("paint.vert", "varying vec3 vAt;\nvoid main() { vAt = gl_Vertex.xyz; gl_Position = ftransform(); }\n");

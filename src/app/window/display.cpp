@@ -39,6 +39,10 @@ double Display::sharp_due() const {
     return runs_ ? std::numeric_limits<double>::infinity() : coarseness_.due();
 }
 
+double Display::lasts() const { return may_last_ && coarseness_.lasts(most()) ? coarseness_.foreseen() : 0; }
+
+double Display::most() const { return loops_ ? std::numeric_limits<double>::infinity() : 4 * sharp_ms_; }
+
 bool Display::any(const std::function<bool(const Side&)>& holds) const {
     return holds(sides_[0]) || (two_ && holds(sides_[1]));
 }
@@ -61,10 +65,10 @@ bool Display::prepare(Half left, std::optional<Half> right, const Wanted& wanted
     if (std::exchange(held_, wanted.held) && !wanted.held) coarseness_.released();
     const int grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
     set_grain(grain);
-    const bool loops =
-        any([](const Side& s) { return s.half.document->runtime->long_loops(s.half.document->controls) > 0; });
-    may_last_ = !wanted.sharp && loops;
-    ahead_ = may_last_ && grain == 0 && (other || moves || may_be_coarse);
+    loops_ = any([](const Side& s) { return s.half.document->runtime->long_loops(s.half.document->controls) > 0; });
+    may_last_ = !wanted.sharp && (loops_ || sharp_ms_ > Coarseness::patience);
+    const bool in_vain = may_last_ && coarseness_.lasts() && lasts() == 0;
+    ahead_ = may_last_ && !in_vain && grain == 0 && (other || moves || may_be_coarse);
     const bool due = wanted.again || any([](const Side& side) {
                          return side.half.next != side.drawn || !side.half.document->runtime->settled();
                      });
@@ -125,7 +129,7 @@ bool Display::draw_ahead(float density) {
     ms_ = 0;
     set_grain(coarsest);
     if (resize()) draw_all(nullptr, density);
-    if (coarseness_.foresaw(ms_, window_.now())) return true;
+    if (coarseness_.foresaw(ms_, window_.now(), most())) return true;
     set_grain(0);
     return false;
 }
@@ -155,6 +159,7 @@ bool Display::draw(const std::function<void(const Step&)>* after, float density)
     counters_.frame_ms = ms_;
     counters_.time = drawn().stand.time;
     counters_.grain = drawn().grain;
+    if (counters_.grain == 0) sharp_ms_ = ms_;
     ++counters_.frames;
     if (counters_.grain > 0) ++counters_.coarse;
     if (!ahead) coarseness_.drew(ms_);

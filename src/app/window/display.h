@@ -73,7 +73,7 @@ public:
     double sharp_share() const { return sharp_ ? sharp_->share() : 0; }
     // What a sharp picture may take in milliseconds, where that is so long that it is drawn in strips; 0: it is drawn
     // at once.
-    double lasts() const { return may_last_ && coarseness_.lasts() ? coarseness_.foreseen() : 0; }
+    double lasts() const;
     // What is shown next is drawn at once, and not looked ahead at.
     bool at_once() const { return !sharp_ && !ahead_; }
     // Draws it, and returns true; of a sharp one that lasts, the next strip: it is shown once it is whole. `after` is
@@ -127,6 +127,9 @@ private:
     // picture. Adds its time to ms_.
     void draw_all(const std::function<void(const Step&)>* after, float density,
                   const std::optional<PixelRect>& part = {});
+    // What a sharp picture may take by a coarse one, in milliseconds: more than the last one by far, and it is not its
+    // pixels that take long, so that neither a coarse picture nor a strip is quicker.
+    double most() const;
     // The same as coarse as it gets. Returns true if this is the picture, because a sharp one may take too long.
     bool draw_ahead(float density);
     // Draws the next strips. Returns true if that was the last one.
@@ -139,7 +142,9 @@ private:
     std::optional<Strips> sharp_;      // of what is shown next
     std::array<Drawn, 2> sharp_of_{};  // what that was when they were begun
     Coarseness coarseness_;
+    bool loops_ = false;     // what is shown next has loops that may last
     bool may_last_ = false;  // what is shown next, if it is sharp
+    double sharp_ms_ = 0;    // of the last sharp picture
     bool held_ = false;      // a mouse button was down at the last picture
     bool runs_ = false;      // it is coarse because it moves by itself
     bool ahead_ = false;     // nobody knows how long the next one takes
