@@ -35,9 +35,9 @@ void Coarseness::drew(double ms) {
 
 double Coarseness::foreseen() const { return costs_.back().ms * grains.back().divide * grains.back().divide; }
 
-bool Coarseness::foresaw(double ms, double now) {
+bool Coarseness::foresaw(double ms, double now, double most) {
     costs_.back().ms = ms;
-    if (!lasts()) return false;
+    if (!lasts(most)) return false;
     ++costs_.back().frames;
     grain_ = dragged_ = coarsest;
     until_ = now + rest;
@@ -45,6 +45,43 @@ bool Coarseness::foresaw(double ms, double now) {
 }
 
 double Coarseness::due() const { return grain_ > 0 ? until_ : std::numeric_limits<double>::infinity(); }
+
+// Where nothing is drawn, as in a background, strips take no time, and above it each may take many times longer than
+// the mean: so they are hardly higher than the mean allows.
+Strips::Strips(int width, int height, double milliseconds) : width_(width), height_(height) {
+    constexpr double largest = 1. / 16;  // of the picture
+    const double all = static_cast<double>(width) * height;
+    pixels_ = milliseconds > 0 ? all * std::min(aim / milliseconds, largest) : all;
+    most_ = milliseconds > 0 ? std::min(2 * pixels_, all * largest) : all;
+}
+
+PixelRect Strips::next() const {
+    constexpr int narrowest = 8;
+    if (pixels_ >= static_cast<double>(width_) * height_) return {0, 0, width_, height_};
+    const int rows = static_cast<int>(pixels_ / width_) / 2 * 2;
+    if (left_ == 0 && rows > 0) return {0, bottom_, width_, std::min(rows, height_ - bottom_)};
+    const int columns = std::max(static_cast<int>(pixels_ / 4) * 2, narrowest);
+    return {left_, bottom_, std::min(columns, width_ - left_), std::min(2, height_ - bottom_)};
+}
+
+bool Strips::draw(const std::function<double(const PixelRect&)>& timed) {
+    constexpr double quicker = 2, slower = .25;
+    for (double spent = 0; spent < aim / 2 && bottom_ < height_;) {
+        const PixelRect strip = next();
+        const double milliseconds = timed(strip);
+        spent += milliseconds;
+        left_ += strip.width;
+        if (left_ >= width_) {
+            left_ = 0;
+            bottom_ += strip.height;
+        }
+        const double fit = static_cast<double>(strip.width) * strip.height * aim / std::max(milliseconds, 1e-3);
+        pixels_ = std::min(std::clamp(fit, pixels_ * slower, pixels_ * quicker), most_);
+    }
+    return bottom_ >= height_;
+}
+
+double Strips::share() const { return (bottom_ + 2. * left_ / width_) / height_; }
 
 namespace {
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <string_view>
 
+#include "src/runtime/runtime.h"
+
 namespace snell {
 
 // Samples per pixel, and the divisor of the picture's width and height.
@@ -33,14 +35,14 @@ public:
     // Tells the time of the frame that was drawn, in milliseconds. The first one of a scene or of a grain may compile,
     // so it is not judged.
     void drew(double ms);
-    // The same for what was drawn beside it.
-    void drew_beside(double ms) { costs_[static_cast<std::size_t>(grain_)].ms += ms; }
     // Where nobody knows how long the next picture takes: tells what one of the coarsest grain took. Returns true if it
-    // is the next picture, because a sharp one may take longer than `patience`.
-    bool foresaw(double ms, double now);
+    // is the next picture, because a sharp one may take longer than `patience`, but less than `most`.
+    bool foresaw(double ms, double now, double most = std::numeric_limits<double>::infinity());
     // Milliseconds of a sharp picture at the most, as the last one of the coarsest grain tells; 0: none tells.
     double foreseen() const;
-    bool lasts() const { return foreseen() > patience; }
+    bool lasts(double most = std::numeric_limits<double>::infinity()) const {
+        return foreseen() > patience && foreseen() < most;
+    }
     // Nothing is dragged any more, as far as the mouse tells: the next picture is sharp.
     void released() { until_ = -1e9; }
     // When a sharp picture is due if nothing moves; infinite if the picture is sharp.
@@ -54,6 +56,30 @@ private:
     };
     std::array<Cost, grains.size()> costs_{};
     double moved_ = -1e9, until_ = -1e9;  // when the picture changed last; when it becomes sharp
+};
+
+// A picture that is drawn strip by strip, from the bottom, so that something else is done between two of them. Where
+// two rows take too long already, strips are parts of these.
+class Strips {
+public:
+    static constexpr double aim = 120;  // milliseconds of a strip
+
+    // Of a picture that takes about so many milliseconds at the most; 0: it is one strip.
+    Strips(int width, int height, double milliseconds);
+    // Draws as many as take no longer than one may. `timed` draws one, and returns its milliseconds. Returns true if
+    // the picture is whole.
+    bool draw(const std::function<double(const PixelRect&)>& timed);
+    // How much is drawn.
+    double share() const;
+
+private:
+    // It begins at even numbers, since drivers draw two rows and two columns at a time; but the last one has what is
+    // left.
+    PixelRect next() const;
+
+    int width_, height_;
+    double most_, pixels_;  // of a strip; of the next one
+    int left_ = 0, bottom_ = 0;
 };
 
 // A picture that is drawn to be timed: its size, and how many times longer than short its loops are at most.

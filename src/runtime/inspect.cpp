@@ -84,12 +84,15 @@ void FloatPicture::take(Runtime& runtime, const Frame& frame, const Surface& sur
                         rows.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
-void FloatPicture::draw(Runtime& runtime, const Frame& frame, std::vector<float>& rgba) {
-    const int width = target_.width, height = target_.height;
-    take(runtime, frame, {target_.framebuffer.get(), width, height}, rgba);
-    const auto row = static_cast<std::ptrdiff_t>(width) * 4;
-    for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom)
-        std::swap_ranges(rgba.begin() + top * row, rgba.begin() + (top + 1) * row, rgba.begin() + bottom * row);
+void FloatPicture::draw(Runtime& runtime, const Frame& frame, std::vector<float>& rgba,
+                        const std::optional<PixelRect>& part) {
+    const auto at = [](int pixels, int width = 1) { return std::ptrdiff_t{4} * pixels * width; };
+    const auto [left, bottom, width, height] = part.value_or(PixelRect{0, 0, target_.width, target_.height});
+    take(runtime, frame, {target_.framebuffer.get(), target_.width, target_.height, part}, rows_);
+    rgba.resize(static_cast<std::size_t>(at(target_.width, target_.height)));
+    for (int row = 0; row < height; ++row)
+        std::copy_n(rows_.begin() + at(row, width), at(width),
+                    rgba.begin() + at(target_.height - 1 - bottom - row, target_.width) + at(left));
 }
 
 void FloatPicture::inspect(Runtime& runtime, const Frame& frame, int x, int y, int radius, Inspection& found) {

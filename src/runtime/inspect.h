@@ -52,8 +52,9 @@ public:
     int width() const { return target_.width; }
     int height() const { return target_.height; }
 
-    // Draws the frame, and reads it: rows top first.
-    void draw(Runtime& runtime, const Frame& frame, std::vector<float>& rgba);
+    // Draws the frame, and reads it: rows top first. `part`: only that, into the place that it has among them.
+    void draw(Runtime& runtime, const Frame& frame, std::vector<float>& rgba,
+              const std::optional<PixelRect>& part = {});
     // Draws only the square, to the same values, and reads it with its depth.
     void inspect(Runtime& runtime, const Frame& frame, int x, int y, int radius, Inspection& found);
 

@@ -107,7 +107,7 @@ void add_cost(const Facts& facts, Parts& parts) {
         time.width = std::max(time.width, width_of("t = 1000.00 s"));
         time.right = true;
     }
-    if (!facts.grain.empty()) parts.add("status.grain", 65, facts.grain).right = true;
+    if (!facts.grain.empty()) parts.add("status.grain", 75, facts.grain).right = true;
     Part& cost = parts.add("status.cost", 70, Text("picture {:.1f} ms", facts.frame_ms).view());
     cost.width = std::max(cost.width, width_of("picture 100.0 ms"));
     cost.right = true;
@@ -199,7 +199,10 @@ void loading(const std::string& text, double share) {
 void first_picture(const Facts& facts, const Rect& scene, Layout& layout) {
     if (!facts.first_picture) return;
     const float em = ImGui::GetFontSize();
-    const Text text = shortened(Text("Drawing the first picture of {}\u2026", facts.file).view(), scene.width - 3 * em);
+    Text whole("Drawing the first picture of {}", facts.file);
+    if (facts.longest_picture > 0) whole.add(", for {:g} s at most", facts.longest_picture);
+    whole.add("\u2026");
+    const Text text = shortened(whole.view(), scene.width - 3 * em);
     const ImVec2 size(width_of(text.view()) + 2 * em, 2 * em);
     const ImVec2 at(std::round(scene.x + (scene.width - size.x) / 2),
                     std::round(scene.y + (scene.height - size.y) / 2));

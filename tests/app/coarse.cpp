@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace snell {
 namespace {
@@ -68,14 +70,6 @@ TEST_F(Dragged, TheReleaseIsSharpAtOnce) {
     EXPECT_LE(coarseness.due(), now);
     EXPECT_EQ(step(false, false), 0);
     EXPECT_EQ(step(true), 2) << "the next drag begins where the last one ended";
-}
-
-TEST_F(Dragged, WhatIsBesideCountsToo) {
-    sharp_ms = 20;
-    opened();
-    EXPECT_EQ(step(true), 0);
-    coarseness.drew_beside(20);
-    EXPECT_GT(step(true), 0) << "two pictures of 20 ms";
 }
 
 TEST_F(Dragged, FastPicturesStaySharp) {
@@ -140,6 +134,60 @@ TEST_F(Dragged, TheFirstPictureOfAGrainMayCompile) {
     coarseness.drew(900);
     now += .9;
     EXPECT_EQ(coarseness.next(true, true, now), first) << "is not judged";
+}
+
+// Rows from `begin` to `end` are where the work of a picture is; a strip costs a little besides.
+struct Drawing {
+    int width, height, begin, end;
+    double ms;
+
+    double of(const PixelRect& strip) const {
+        const int rows = std::max(std::min(strip.bottom + strip.height, end) - std::max(strip.bottom, begin), 0);
+        return 2 + ms * rows * strip.width / (static_cast<double>(end - begin) * width);
+    }
+};
+
+TEST(Strips, CoverThePictureAndNoneTakesLong) {
+    for (const int width : {3, 320, 1280})
+        for (const int height : {1, 7, 200, 721})
+            for (const double ms : {600., 5e3, 60e3, 600e3})
+                for (const int share : {1, 2, 4}) {
+                    const Drawing drawing{width, height, height - (height + share - 1) / share, height, ms};
+                    SCOPED_TRACE(testing::Message() << width << " x " << height << ", " << ms << " ms in 1/" << share);
+                    Strips strips(width, height, ms);
+                    std::vector<int> drawn(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+                    double longest = 0;
+                    int slow = 0, count = 0;
+                    for (bool last = false; !last;) {
+                        double spent = 0;
+                        last = strips.draw([&](const PixelRect& strip) {
+                            ++count;
+                            EXPECT_EQ(strip.bottom % 2 + strip.left % 2, 0);
+                            for (int y = strip.bottom; y < strip.bottom + strip.height; ++y)
+                                for (int x = strip.left; x < strip.left + strip.width; ++x)
+                                    ++drawn.at(static_cast<std::size_t>(y * width + x));
+                            spent += drawing.of(strip);
+                            return drawing.of(strip);
+                        });
+                        longest = std::max(longest, spent);
+                        slow += spent > 250 ? 1 : 0;
+                    }
+                    EXPECT_EQ(std::count(drawn.begin(), drawn.end(), 1), width * height) << "each pixel once";
+                    EXPECT_DOUBLE_EQ(strips.share(), 1);
+                    if (ms / width / height > 1) continue;  // pixels take long
+                    EXPECT_LT(longest, 2.6 * Strips::aim * share) << "where the work begins";
+                    EXPECT_LE(slow, 2 * (share - 1)) << "and then no more";
+                    EXPECT_LT(count, 16 * share + 40 + ms / Strips::aim * 4) << "not many more than must be";
+                }
+}
+
+TEST(Strips, OfAQuickPictureAreOne) {
+    Strips strips(1281, 721, 0);
+    EXPECT_TRUE(strips.draw([](const PixelRect& strip) {
+        EXPECT_EQ(strip.width, 1281);
+        EXPECT_EQ(strip.height, 721);
+        return 30;
+    }));
 }
 
 // A machine on which a picture takes so many milliseconds for what does not grow with it and for its pixels, the first

@@ -139,6 +139,31 @@ TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
     EXPECT_TRUE(shows(green)) << "an edit of the shader alone is another try";
 }
 
+// A smaller picture has as many vertices, so that none can be drawn before, and nothing interrupts it: what is seen
+// says for how long.
+TEST_F(Recovery, AVertexShaderThatDoesNotEndIsGivenUp) {
+    save("paint.vert", "uniform vec3 uPaint;\nvoid main() {\n  float x = gl_Vertex.x;\n" + loops("60000", "uPaint.r") +
+                           "  gl_Position = ftransform() + vec4(1e-9 * x, 0., 0., 0.);\n}\n");
+    save("scene.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPaint [1. 0. 0.]\nSphere 1. 300 300\n");
+    open("", {"--timeout", "2"});
+    const Picture empty = look();
+    ASSERT_TRUE(drop_files(display_, {file("scene.glib")}));
+    const auto words = [&] {  // columns of the box that says so
+        const Picture now = look();
+        int columns = 0;
+        for (int x = 0; x < 560; ++x) columns += now.at(x, 277).blue < 100 && !(now.at(x, 277) == empty.at(x, 277));
+        return columns;
+    };
+    int widest = 0;
+    for (int looks = 0; looks < 60 && restarts() == 0; ++looks) widest = std::max(widest, words());
+    EXPECT_GT(widest, 360) << "with the time";
+    EXPECT_TRUE(says("a frame of scene.glib did not end, and the window was started again"));
+    settle();
+    save("paint.vert", "void main() { gl_Position = ftransform(); }\n");
+    EXPECT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0 && state["frames"] > 0; }));
+    EXPECT_EQ(restarts(), 1U);
+}
+
 // The scene that hung is blamed, and tried again; the one before stays as it was.
 TEST_F(Recovery, AFirstPictureThatDoesNotEndIsThatOfItsOwnScene) {
     save("scene.glib",

@@ -39,6 +39,20 @@ protected:
     bool coarse_since() const {
         return wait([&](const json& s) { return s["coarse"] > before_[1]; });
     }
+    // More of the marks than before is drawn, or all; the window has answered so often meanwhile.
+    int marked() const {
+        int answers = 0;
+        double last = -1;
+        EXPECT_TRUE(wait([&](const json& s) {
+            const json pixels = s.value("pixels", json::object());
+            if (const double now = pixels.value("drawn", -1.); now > 0 && now != last) {
+                ++answers;
+                last = now;
+            }
+            return pixels.contains("flags");
+        }));
+        return answers;
+    }
     static constexpr const char* slow = "2500";
     static constexpr std::array<int, 2> coarse_then_sharp{2, 1};
 
@@ -108,6 +122,151 @@ TEST_F(SlowPictures, MoveCoarseAndAreSharpWhenTheyStand) {
     user("key space");
     settle();
     EXPECT_EQ(state()["grain"], 0);
+}
+
+TEST_F(SlowPictures, AreMarkedInStripsOnceTheyAreSharp) {
+    save("paint.frag", shader("int(uRounds)", "(gl_FragCoord.x < 150. ? sqrt(-1. - uPhase) : 0.)"));
+    open("slow.glib", {"--no-specialise"});
+    user("key n");
+    EXPECT_GT(marked(), 3) << "the window answers between two strips";
+    settle();
+    const json flags = state()["pixels"]["flags"];
+    EXPECT_EQ(state()["frames"], 2) << "the scene is not drawn again";
+    const auto [x, y] = on("Paint.uPhase", .2);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " mousedown 1 mousemove_relative 9 0");
+    EXPECT_TRUE(wait([](const json& s) { return s["grain"] > 0 && !s["pixels"].contains("flags"); }))
+        << "what is dragged has no marks of an older picture";
+    user("mouseup 1");
+}
+
+TEST_F(SlowPictures, SideBySideAreAsCoarseAndComeInStripsTogether) {
+    save("paint.frag",
+         "uniform float uRounds, uPhase;\nvoid main() {\n    float x = gl_FragCoord.x;\n"
+         "    for (int i = 0; i < int(uRounds); ++i) x += sin(x);\n"
+         "    gl_FragColor = vec4(uPhase, 1., 1e-9 * x, 1.);\n}\n");
+    open("quick.glib", {"--no-specialise"});
+    user("key s");
+    settle();
+    click("accuracy.right");
+    click("right.settings");
+    drawn();
+    user("type --delay 8 uPhase=0.6");
+    user("key space");
+    user("type --delay 8 uRounds=2500");
+    user("key Return");
+    settle();
+    EXPECT_EQ(drawn(), coarse_then_sharp);
+    EXPECT_EQ(scene_pixel(-30, 20), (Pixel{0, 255, 0}));
+    EXPECT_EQ(scene_pixel(30, 20), (Pixel{153, 255, 0}));
+    const int strips = state()["strips"];
+    const auto [x, y] = on("Paint.uPhase", .2);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " mousedown 1 mousemove_relative 9 0");
+    EXPECT_TRUE(coarse_since());
+    EXPECT_EQ(scene_pixel(30, 20), (Pixel{153, 255, 0}));
+    user("mouseup 1");
+    settle();
+    const auto [all, coarse] = drawn();
+    EXPECT_EQ(all - coarse, 1) << "one sharp picture of both";
+    EXPECT_GT(state()["strips"], strips + 1);
+}
+
+// Strips share what is off-screen with pictures that are saved meanwhile, of other moments.
+TEST_F(SlowPictures, AreOfOneMomentWhileASequenceIsSaved) {
+    save("time.frag", "uniform float uTime;\nvoid main() { gl_FragColor = vec4(.2 + .02 * uTime, 0., 0., 1.); }\n");
+    save("paint.frag",
+         "uniform float uRounds;\nuniform sampler2D uMap;\nvoid main() {\n    float x = gl_FragCoord.x;\n"
+         "    for (int i = 0; i < int(uRounds); ++i) x += sin(x);\n"
+         "    gl_FragColor = vec4(texture2D(uMap, vec2(.5)).r, 1., 1e-9 * x, 1.);\n}\n");
+    save("slow.glib",
+         "Ortho -1 1 -1 1\nTexture2D 5 16 16\nRenderToTexture 5\nVertex paint.vert\nFragment time.frag\nProgram Time\n"
+         "QuadXY 0. 9.\nRenderToTexture\nFragment paint.frag\nProgram Paint uMap 5 uRounds <1. 2500. 3000.>\n"
+         "QuadXY 0. 9.\n");
+    open("slow.glib", {"--no-specialise", "--exit-after", "60"});
+    user("key space");
+    settle();
+    EXPECT_EQ(state()["grain"], 0);
+    const Pixel color = scene_pixel(0, 60);
+    choose("save", "picture");
+    type("picture file", file("f.png"), Field::unconfirmed);
+    type("picture width", "64", Field::number);
+    type("picture height", "64", Field::number);
+    click("picture sequence");
+    type("picture from", "20", Field::number);
+    type("picture to", "30", Field::number);
+    type("picture rate", "1", Field::number);
+    const auto [x, y] = on("picture save");
+    const int strips = state()["strips"];
+    user("search --onlyvisible --name slow windowsize 800 580 sleep .3 mousemove " + std::to_string(x) + " " +
+         std::to_string(y - 10) + " click 1");
+    EXPECT_TRUE(wait([&](const json& s) { return s["strips"] > strips + 1; }));
+    EXPECT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().starts_with("saved "); })) << state();
+    settle();
+    const std::array<double, 4> scene = state()["scene"];
+    const Picture picture = look();
+    for (int row = 2; row < static_cast<int>(scene[3]) - 2; row += 4) {
+        EXPECT_EQ(picture.at(30, row), color) << row;
+        if (HasFailure()) break;
+    }
+}
+
+// What frame cost plots is of sharp pictures; the coarse ones are counted apart.
+TEST_F(SlowPictures, HaveCostsOfSharpOnesAlone) {
+    open("slow.glib", {"--no-specialise"});
+    click("tools");
+    click("frame cost");
+    settle();
+    EXPECT_EQ(drawn(), coarse_then_sharp) << "no sharp one again, only for its time";
+    const auto expect_sharp = [&](int pictures) {
+        const json now = state(), cost = now["frame_cost"];
+        EXPECT_EQ(cost["pictures"], pictures);
+        EXPECT_EQ(cost["last"].get<float>(), now["ms"][0].get<float>()) << "the sharp one was last";
+        EXPECT_EQ(cost["coarse"].get<int>(), now["coarse"].get<int>() - 1) << "since the panel is open";
+        EXPECT_EQ(now["widgets"].contains("frame cost.coarse"), pictures > 1);
+    };
+    expect_sharp(1);
+    click("controls");
+    drag(on("Paint.uPhase", .1), on("Paint.uPhase", .8));
+    settle();
+    click("tools");
+    settle();
+    expect_sharp(2);
+}
+
+// The text shows no long loops: the picture before tells, from which one cannot know how much of it the compiler took.
+TEST_F(SlowPictures, AreCoarseOnceOneTookLongWhateverTheTextSays) {
+    const std::string dear = "x += sin(x + cos(x * 1.7)) + exp(-x * x) * pow(abs(x) + .1, 1.3);";
+    save("paint.frag",
+         "uniform float uPhase;\nvoid main() {\n    float x = gl_FragCoord.x + uPhase;\n"
+         "    for (int i = 0; i < 900; ++i) { " +
+             dear +
+             " }\n"
+             "    gl_FragColor = vec4(0., 1., 1e-9 * x, 1.);\n}\n");
+    open("slow.glib", {"--no-specialise", "--size", "1000x700"});
+    EXPECT_EQ(drawn(), (std::array{1, 0})) << "nobody could know";
+    const auto [x, y] = on("Paint.uPhase", .2);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " mousedown 1 mousemove_relative 9 0");
+    EXPECT_TRUE(coarse_since());
+    EXPECT_EQ(state()["frames"].get<int>() - state()["coarse"].get<int>(), 1) << "the first change is coarse";
+    user("mouseup 1");
+    settle();
+    EXPECT_GT(state()["strips"], 3);
+}
+
+// Neither a coarse picture nor a strip of it would be quicker.
+TEST_F(SlowPictures, AreDrawnAtOnceWhereVerticesTakeLong) {
+    save("paint.vert",
+         "uniform float uPhase;\nvoid main() {\n    float x = gl_Vertex.x + uPhase;\n"
+         "    for (int i = 0; i < 900; ++i) x += sin(x + cos(x * 1.7)) + exp(-x * x);\n"
+         "    gl_Position = ftransform() + vec4(0., 0., 1e-9 * x, 0.);\n}\n");
+    save("paint.frag", "void main() { gl_FragColor = vec4(0., 1., 0., 1.); }\n");
+    save("slow.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPhase <0. 0. 1.>\nSphere 1. 240 240\n");
+    open("slow.glib", {"--no-specialise"});
+    drawn();
+    type("Paint.uPhase", "0.25", Field::number);
+    settle();
+    EXPECT_EQ(drawn(), (std::array{1, 0}));
+    EXPECT_EQ(state()["strips"], 0);
+    EXPECT_GT(state()["ms"][0], 500) << "so that the test judges something";
 }
 
 // Strip by strip, a sharp picture is that which is drawn at once.

@@ -176,6 +176,7 @@ public:
     void first_picture() {
         programs();
         facts_.first_picture = true;
+        facts_.longest_picture = 60;
     }
     void failures() {
         messages();

@@ -13,8 +13,6 @@ namespace snell {
 namespace {
 
 constexpr double worth_compiling = 4;  // milliseconds of a frame
-constexpr double short_strip = 100;    // milliseconds, below which the next one is higher
-constexpr double long_strip = 400;     // above which it is lower
 
 const Grain& grain_of(const Drawn& drawn) { return grains[static_cast<std::size_t>(drawn.grain)]; }
 
@@ -25,164 +23,173 @@ PixelSize coarse_size(const Drawn& drawn) {
 
 }  // namespace
 
+bool Display::Side::other() const {
+    const Drawn& next = half.next;
+    return next.revision != drawn.revision || next.rungs != drawn.rungs || next.showing != drawn.showing;
+}
+
 // Time alone moves nothing: an animated scene is sharp unless the user drags something.
-bool Display::moved(const Drawn& next) const {
-    const Stand &a = next.stand, &b = drawn_.stand;
+bool Display::Side::moved() const {
+    const Stand &a = half.next.stand, &b = drawn.stand;
     return a.width != b.width || a.height != b.height || a.view != b.view || a.values != b.values;
 }
 
 double Display::sharp_due() const {
-    if (strips_) return 0;
+    if (sharp_) return 0;
     return runs_ ? std::numeric_limits<double>::infinity() : coarseness_.due();
 }
 
-bool Display::prepare(Drawn next, Document& document, const Wanted& wanted) {
-    next_ = std::move(next);
-    const bool other =
-        next_.revision != drawn_.revision || next_.rungs != drawn_.rungs || next_.showing != drawn_.showing;
-    const bool moves = moved(next_);
+double Display::lasts() const { return may_last_ && coarseness_.lasts(most()) ? coarseness_.foreseen() : 0; }
+
+double Display::most() const { return loops_ ? std::numeric_limits<double>::infinity() : 4 * sharp_ms_; }
+
+bool Display::any(const std::function<bool(const Side&)>& holds) const {
+    return holds(sides_[0]) || (two_ && holds(sides_[1]));
+}
+
+void Display::set_grain(int grain) {
+    for (Side& side : shown()) side.half.next.grain = grain;
+}
+
+bool Display::prepare(Half left, std::optional<Half> right, const Wanted& wanted) {
+    const bool runs_on = left.next.stand.time != drawn().stand.time;
+    sides_[0].half = std::move(left);
+    two_ = right.has_value();
+    sides_[1].half = std::move(right).value_or(Half{});
+    const bool other = any(&Side::other), moves = any(&Side::moved);
     // What moves by itself is sharp, unless nobody would see that it moves.
-    const bool runs = wanted.runs ? moves : !moves && next_.stand.time != drawn_.stand.time;
+    const bool runs = wanted.runs ? moves : !moves && runs_on;
     runs_ = runs && coarseness_.lasts();
     const bool may_be_coarse = runs ? runs_ : moves;
     if (wanted.sharp || other || (wanted.runs && runs && !may_be_coarse)) coarseness_ = {};
     if (std::exchange(held_, wanted.held) && !wanted.held) coarseness_.released();
-    next_.grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
-    const bool may_last = !wanted.sharp && next_.grain == 0 && document.runtime->long_loops(document.controls) > 0;
-    ahead_ = may_last && (other || moves || may_be_coarse);
-    const bool strips = may_last && !ahead_ && next_ != drawn_ && !wanted.again && coarseness_.lasts();
-    if (!strips)
-        strips_.reset();
-    else if (!strips_ || strips_->of != next_)
-        strips_ = {next_, 0, first_strip()};
-    if (wanted.again || next_ != drawn_ || !document.runtime->settled()) {
-        const PixelSize size = coarse_size(next_);
-        return canvases_.of(next_).resize(size.width, size.height, grain_of(next_).samples,
-                                          document.runtime->display_pixels());
+    const int grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
+    set_grain(grain);
+    loops_ = any([](const Side& s) { return s.half.document->runtime->long_loops(s.half.document->controls) > 0; });
+    may_last_ = !wanted.sharp && (loops_ || sharp_ms_ > Coarseness::patience);
+    const bool in_vain = may_last_ && coarseness_.lasts() && lasts() == 0;
+    ahead_ = may_last_ && !in_vain && grain == 0 && (other || moves || may_be_coarse);
+    const bool due = wanted.again || any([](const Side& side) {
+                         return side.half.next != side.drawn || !side.half.document->runtime->settled();
+                     });
+    if (!due || ahead_ || grain > 0 || lasts() == 0) {
+        sharp_.reset();
+    } else if (std::array now{sides_[0].half.next, sides_[1].half.next}; !sharp_ || sharp_of_ != now) {
+        sharp_.emplace(now[0].stand.width, now[0].stand.height, lasts());
+        sharp_of_ = std::move(now);
+        ms_ = 0;
     }
-    document.runtime->skip_frame();
+    if (due) return resize();
+    for (const Side& side : shown()) side.half.document->runtime->skip_frame();
     return false;
 }
 
-void Display::draw_into(gl::Canvas& canvas, const Drawn& drawn, Document& document,
-                        const std::function<void(const Step&)>* after, float density,
-                        const std::optional<PixelRect>& part) {
-    const Stand& stand = drawn.stand;
-    const int divide = grain_of(drawn).divide;
-    const PixelSize size = coarse_size(drawn);
-    View view = stand.view;
-    view.mouse_x /= divide;
-    view.mouse_y /= divide;
-    Frame frame{stand.time, view, document.controls, !part};
-    frame.after = after;
-    frame.enlarged = divide;
-    frame.standing = part && part->bottom > 0;
-    const Surface surface{canvas.framebuffer(), size.width, size.height, part};
-    document.runtime->draw(frame, surface);
-    if (part && part->bottom + part->height < size.height) return gl::finish();
-    if (drawn.object != none)
-        document.runtime->outline(frame, {canvas.framebuffer(), size.width, size.height}, drawn.object,
-                                  std::ceil(2 * density / divide));
-    canvas.resolve();
-    gl::finish();
+bool Display::resize() {
+    bool all = true;
+    for (Side& side : shown()) {
+        const PixelSize size = coarse_size(side.half.next);
+        all = all && side.canvases.of(side.half.next)
+                         .resize(size.width, size.height, grain_of(side.half.next).samples,
+                                 side.half.document->runtime->display_pixels());
+    }
+    return all;
 }
 
-bool Display::draw_ahead(Document& document, float density) {
-    Drawn coarse = next_;
-    coarse.grain = coarsest;
-    const PixelSize size = coarse_size(coarse);
-    if (!canvases_.coarse.resize(size.width, size.height, grain_of(coarse).samples, document.runtime->display_pixels()))
-        return false;
+void Display::draw_all(const std::function<void(const Step&)>* after, float density,
+                       const std::optional<PixelRect>& part) {
     const double start = window_.now();
-    draw_into(canvases_.coarse, coarse, document, nullptr, density);
-    const double end = window_.now();
-    if (!coarseness_.foresaw((end - start) * 1e3, end)) return false;
-    next_.grain = coarsest;
-    return true;
+    for (Side& side : shown()) {
+        const auto& [drawn, document] = side.half;
+        gl::Canvas& canvas = side.canvases.of(drawn);
+        const int divide = grain_of(drawn).divide;
+        const PixelSize size = coarse_size(drawn);
+        View view = drawn.stand.view;
+        view.mouse_x /= divide;
+        view.mouse_y /= divide;
+        Frame frame{drawn.stand.time, view, document->controls, !part};
+        frame.after = std::exchange(after, nullptr);
+        frame.enlarged = divide;
+        // Something else may have been drawn since the last strip, such as a picture that is being saved.
+        const bool first = !part || (part->bottom == 0 && part->left == 0);
+        frame.standing = !first && document->runtime->counters().frames == side.frames;
+        document->runtime->draw(frame, {canvas.framebuffer(), size.width, size.height, part});
+        side.frames = document->runtime->counters().frames;
+        const bool last =
+            !part || (part->bottom + part->height == size.height && part->left + part->width == size.width);
+        if (last && drawn.object != none)
+            document->runtime->outline(frame, {canvas.framebuffer(), size.width, size.height}, drawn.object,
+                                       std::ceil(2 * density / divide));
+        if (last) canvas.resolve();
+        gl::finish();
+    }
+    ms_ += (window_.now() - start) * 1e3;
 }
 
-// What takes about as long as anyone waits, and at most as many pixels as the coarsest grain has.
-int Display::first_strip() const {
-    const int height = next_.stand.height, most = grains.back().part_of(grains.back().part_of(height));
-    return std::clamp(static_cast<int>(height * Coarseness::patience / coarseness_.foreseen()), 1, most);
+bool Display::draw_ahead(float density) {
+    ms_ = 0;
+    set_grain(coarsest);
+    if (resize()) draw_all(nullptr, density);
+    if (coarseness_.foresaw(ms_, window_.now(), most())) return true;
+    set_grain(0);
+    return false;
 }
 
-double Display::sharp_share() const {
-    return strips_ ? static_cast<double>(strips_->rows) / strips_->of.stand.height : 0;
+bool Display::draw_strips(float density) {
+    return sharp_->draw([&](const PixelRect& strip) {
+        const double before = ms_;
+        draw_all(nullptr, density, strip);
+        ++counters_.strips;
+        return ms_ - before;
+    });
 }
 
-bool Display::draw_strip(Document& document, float density) {
-    Strips& strips = *strips_;
-    const int height = next_.stand.height, rows = std::min(strips.next, height - strips.rows);
-    const double start = window_.now();
-    draw_into(canvases_.sharp, next_, document, nullptr, density, PixelRect{0, strips.rows, next_.stand.width, rows});
-    const double ms = (window_.now() - start) * 1e3;
-    strips.ms += ms;
-    strips.rows += rows;
-    ++counters_.strips;
-    if (ms < short_strip) strips.next *= 2;
-    if (ms > long_strip) strips.next = std::max(strips.next / 2, 1);
-    return strips.rows >= height;
-}
-
-bool Display::draw(Document& document, const std::function<void(const Step&)>* after, float density) {
+bool Display::draw(const std::function<void(const Step&)>* after, float density) {
     double start = window_.now();
-    const bool ahead = ahead_ && !after && draw_ahead(document, density);
-    if (ahead_ && !ahead) start = window_.now();
-    const bool strip = strips_ && !after, whole = !strip || draw_strip(document, density);
-    if (!ahead && !strip) draw_into(canvases_.of(next_), next_, document, after, density);
+    const bool once = at_once(), ahead = ahead_ && draw_ahead(density), whole = !sharp_ || draw_strips(density);
+    if (!ahead && !sharp_) {
+        start = window_.now();
+        ms_ = 0;
+        draw_all(once ? after : nullptr, density);
+    }
     lost_ = loss_.lost();
     if (lost_ || !whole) return false;
     last_picture_ = start;
-    counters_.frame_ms = strip ? strips_->ms : (window_.now() - start) * 1e3;
-    strips_.reset();
-    counters_.time = next_.stand.time;
-    counters_.grain = next_.grain;
+    sharp_.reset();
+    for (Side& side : shown()) side.drawn = std::move(side.half.next);
+    counters_.frame_ms = ms_;
+    counters_.time = drawn().stand.time;
+    counters_.grain = drawn().grain;
+    if (counters_.grain == 0) sharp_ms_ = ms_;
     ++counters_.frames;
-    if (next_.grain > 0) ++counters_.coarse;
-    if (!ahead) coarseness_.drew(counters_.frame_ms);
-    drawn_ = std::move(next_);
-    return true;
-}
-
-bool Display::draw_beside(Drawn next, Document& document, float density) {
-    next.grain = drawn_.grain;
-    if (next == drawn_beside_ && document.runtime->settled()) return false;
-    const PixelSize size = coarse_size(next);
-    gl::Canvas& canvas = beside_.of(next);
-    if (!canvas.resize(size.width, size.height, grain_of(next).samples, document.runtime->display_pixels()))
-        return false;
-    const double start = window_.now();
-    draw_into(canvas, next, document, nullptr, density);
-    lost_ = loss_.lost();
-    if (lost_) return false;
-    coarseness_.drew_beside((window_.now() - start) * 1e3);
-    drawn_beside_ = std::move(next);
+    if (counters_.grain > 0) ++counters_.coarse;
+    if (!ahead) coarseness_.drew(ms_);
     return true;
 }
 
 content::Image Display::thumbnail() const {
     if (counters_.frames == 0 || lost_) return {};
-    const PixelSize size = coarse_size(drawn_);
+    const PixelSize size = coarse_size(drawn());
     content::Image picture{.width = size.width, .height = size.height};
-    picture.pixels = canvases_.of(drawn_).read();
+    picture.pixels = sides_[0].canvases.of(drawn()).read();
     return picture.pixels.size() == picture.bytes() ? app::thumbnail(picture) : content::Image{};
 }
 
 bool Display::specialise(Document& document) {
-    const Stand& stand = drawn_.stand;
-    if (counters_.frame_ms < worth_compiling || counters_.frames == 0 || drawn_.grain > 0) return false;
+    const Stand& stand = drawn().stand;
+    if (counters_.frame_ms < worth_compiling || counters_.frames == 0 || drawn().grain > 0) return false;
     const Frame frame{stand.time, stand.view, document.controls, true};
-    return document.runtime->specialise(frame, {canvases_.sharp.framebuffer(), stand.width, stand.height});
+    return document.runtime->specialise(frame, {sides_[0].canvases.sharp.framebuffer(), stand.width, stand.height});
 }
 
 void Display::show(PixelSize pixels, std::optional<int> divider) const {
     const ImVec4 around = ui::palette().surround;
     gl::clear_window(pixels.width, pixels.height, around.x, around.y, around.z);
-    canvases_.of(drawn_).show(0, bottom(pixels), drawn_.stand.width, drawn_.stand.height);
-    if (divider && drawn_beside_.stand.width > 0)
-        beside_.of(drawn_beside_)
-            .show(0, bottom(pixels), drawn_beside_.stand.width, drawn_beside_.stand.height, 0, std::max(1, *divider));
+    const auto copy = [&](const Side& side, int first) {
+        const Stand& stand = side.drawn.stand;
+        side.canvases.of(side.drawn).show(0, bottom(pixels), stand.width, stand.height, 0, first);
+    };
+    copy(sides_[0], 0);
+    if (divider && sides_[1].drawn.stand.width > 0) copy(sides_[1], std::max(1, *divider));
 }
 
 void Display::present(double interface_ms) {

@@ -2,9 +2,11 @@
 // lies over it can change without drawing it again.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -39,7 +41,7 @@ struct Wanted {
 };
 
 struct WindowCounters {
-    std::uint64_t frames = 0;    // number of pictures of the scene that were drawn
+    std::uint64_t frames = 0;    // number of pictures of the scene that were drawn; two side by side are one
     std::uint64_t coarse = 0;    // those of them that were not sharp
     std::uint64_t strips = 0;    // of sharp ones
     std::uint64_t presents = 0;  // number of times that the window's contents were replaced
@@ -49,25 +51,34 @@ struct WindowCounters {
     int grain = 0;                            // of the last picture, an index into `grains`
 };
 
+// One of the pictures that the window shows: the only one, or what is right of the divider.
+struct Half {
+    Drawn next;
+    Document* document = nullptr;
+};
+
 class Display {
 public:
     // `window` must outlive the object.
     Display(Window& window, app::LossWatch loss) : window_(window), loss_(std::move(loss)) {}
 
-    // Returns false if that would be the last picture again, or if the context refuses its size. Otherwise draw() must
-    // follow.
-    bool prepare(Drawn next, Document& document, const Wanted& wanted);
+    // What is shown next: the only picture or the left one, and the right one. Both are as coarse, and drawn again if
+    // one of them differs from its last picture. Returns false if neither does, or if the context refuses their size.
+    // Otherwise draw() must follow.
+    bool prepare(Half left, std::optional<Half> right, const Wanted& wanted);
     // When a sharp picture is due if nothing moves, or its next strip, by the clock of the window; infinite if the
     // picture is sharp, or moves by itself and is coarse because of that.
     double sharp_due() const;
     // How much is drawn of a sharp picture that is not shown yet.
-    double sharp_share() const;
-    // Draws the picture, and returns true; if it is a sharp one that lasts, its next strip: it is shown once it is
-    // whole. `after` is that of Frame; `density` is pixels per window coordinate.
-    bool draw(Document& document, const std::function<void(const Step&)>* after, float density);
-    // Draws what is right of the divider, which is as coarse, if it differs from its last picture. `next` is its
-    // picture in the values of the other document. Returns true if it was drawn.
-    bool draw_beside(Drawn next, Document& document, float density);
+    double sharp_share() const { return sharp_ ? sharp_->share() : 0; }
+    // What a sharp picture may take in milliseconds, where that is so long that it is drawn in strips; 0: it is drawn
+    // at once.
+    double lasts() const;
+    // What is shown next is drawn at once, and not looked ahead at.
+    bool at_once() const { return !sharp_ && !ahead_; }
+    // Draws it, and returns true; of a sharp one that lasts, the next strip: it is shown once it is whole. `after` is
+    // that of Frame, of the left picture, for what is drawn at once. `density` is pixels per window coordinate.
+    bool draw(const std::function<void(const Step&)>* after, float density);
     // While the picture stays the same: see Runtime::specialise. Not for scenes that are cheap to draw.
     bool specialise(Document& document);
     // True if the driver reset the context during draw(); drawn() is still the picture before.
@@ -79,50 +90,64 @@ public:
     // Replaces the contents of the window by what was drawn into it.
     void present(double interface_ms);
 
-    const Drawn& drawn() const { return drawn_; }
-    // The last picture, as small as the file browser shows it; without pixels if nothing was drawn.
+    // These are of the only picture, or of the left one.
+    const Drawn& drawn() const { return sides_[0].drawn; }
+    // As small as the file browser shows it; without pixels if nothing was drawn.
     content::Image thumbnail() const;
     // The y of the picture's bottom, in pixels from the bottom of the window.
-    int bottom(PixelSize pixels) const { return pixels.height - drawn_.stand.height; }
+    int bottom(PixelSize pixels) const { return pixels.height - drawn().stand.height; }
     // Of a sharp picture.
-    int samples() const { return canvases_.sharp.samples(); }
+    int samples() const { return sides_[0].canvases.sharp.samples(); }
     const WindowCounters& counters() const { return counters_; }
     // When the last picture was begun, by the clock of the window.
     double last_picture() const { return last_picture_; }
 
 private:
-    Window& window_;
-    bool moved(const Drawn& next) const;
-    // Draws next_ as coarse as it gets. Returns true if this is the picture, because a sharp one may take too long.
-    bool draw_ahead(Document& document, float density);
-    // The last picture is in one of them, see Drawn::grain.
     struct Canvases {
         gl::Canvas sharp, coarse;
         gl::Canvas& of(const Drawn& drawn) { return drawn.grain > 0 ? coarse : sharp; }
         const gl::Canvas& of(const Drawn& drawn) const { return drawn.grain > 0 ? coarse : sharp; }
     };
-    // A sharp picture that is drawn strip by strip, from the bottom.
-    struct Strips {
-        Drawn of;
-        int rows = 0, next = 0;  // that are drawn; of the next strip
-        double ms = 0;
-    };
-    // `part`: only that; parts come in order, and the top ends the picture.
-    void draw_into(gl::Canvas& canvas, const Drawn& drawn, Document& document,
-                   const std::function<void(const Step&)>* after, float density,
-                   const std::optional<PixelRect>& part = {});
-    int first_strip() const;  // its rows
-    // Draws the next strip of next_. Returns true if it was the last one.
-    bool draw_strip(Document& document, float density);
+    struct Side {
+        Canvases canvases;  // the last picture is in one of them, see Drawn::grain
+        Drawn drawn;
+        Half half;                 // what is shown next
+        std::uint64_t frames = 0;  // Counters::frames of its document after its last strip
 
-    Canvases canvases_, beside_;
-    Drawn drawn_beside_;
+        bool other() const;  // than the last picture, not only moved
+        bool moved() const;
+    };
+
+    // Those that are shown next.
+    std::span<Side> shown() { return {sides_.data(), two_ ? 2U : 1U}; }
+    bool any(const std::function<bool(const Side&)>& holds) const;
+    void set_grain(int grain);
+    bool resize();
+    // Draws what is shown next, only that part of it if one is given; parts come in order, and the last one ends the
+    // picture. Adds its time to ms_.
+    void draw_all(const std::function<void(const Step&)>* after, float density,
+                  const std::optional<PixelRect>& part = {});
+    // What a sharp picture may take by a coarse one, in milliseconds: more than the last one by far, and it is not its
+    // pixels that take long, so that neither a coarse picture nor a strip is quicker.
+    double most() const;
+    // The same as coarse as it gets. Returns true if this is the picture, because a sharp one may take too long.
+    bool draw_ahead(float density);
+    // Draws the next strips. Returns true if that was the last one.
+    bool draw_strips(float density);
+
+    Window& window_;
+    std::array<Side, 2> sides_;
+    bool two_ = false;
+    double ms_ = 0;                    // that what is shown next has taken so far
+    std::optional<Strips> sharp_;      // of what is shown next
+    std::array<Drawn, 2> sharp_of_{};  // what that was when they were begun
     Coarseness coarseness_;
-    bool held_ = false;   // a mouse button was down at the last picture
-    bool runs_ = false;   // it is coarse because it moves by itself
-    bool ahead_ = false;  // nobody knows how long next_ takes
-    Drawn drawn_, next_;
-    std::optional<Strips> strips_;
+    bool loops_ = false;     // what is shown next has loops that may last
+    bool may_last_ = false;  // what is shown next, if it is sharp
+    double sharp_ms_ = 0;    // of the last sharp picture
+    bool held_ = false;      // a mouse button was down at the last picture
+    bool runs_ = false;      // it is coarse because it moves by itself
+    bool ahead_ = false;     // nobody knows how long the next one takes
     WindowCounters counters_;
     app::LossWatch loss_;
     bool lost_ = false;

@@ -29,7 +29,9 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
         pair = {&shown(scene), found_.rung() ? &scene : &states_.right(scene), showing()};
     accuracy_.follow(scene, stale, stand, memory.accuracy, pair);
     Document& document = shown(scene);
-    const bool opened = frame_costs_.open(memory.frame_cost, display.drawn().revision, display.counters().frame_ms);
+    const bool sharp = display.drawn().grain == 0;
+    const bool opened =
+        frame_costs_.open(memory.frame_cost, display.drawn().revision, sharp ? display.counters().frame_ms : 0);
     if (memory.scene.width <= 0) return opened || found;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
     const bool texels =
@@ -41,7 +43,8 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
     asked.inspecting &= !column || found_.rung() || states_.shows(right);
     const std::string name = !found_.rung() ? states_.text(right) : right ? "the scene as it is" : found_text();
     const std::string half = column ? (right ? "right: " : "left: ") + name : "";
-    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density, half) ||
+    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density, half,
+                          {display.lasts(), sharp && display.sharp_share() == 0}) ||
            opened || texels || found;
 }
 

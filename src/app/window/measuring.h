@@ -45,19 +45,25 @@ public:
     std::optional<int> divider(int width, const ui::AccuracyMemory& memory) const;
 
     // True if the picture must be drawn although it is unchanged.
-    bool wants_picture() const { return frame_costs_.wants_picture(); }
-    // Call these before and after a picture is drawn, with the time that it took. begin_picture() returns the function
-    // for Frame::after.
-    const std::function<void(const Step&)>* begin_picture(std::uint64_t revision) {
-        return frame_costs_.begin(revision);
+    bool wants_picture(const Display& display) const { return frame_costs_.wants_picture() && display.lasts() == 0; }
+    // Call these before and after a picture, or a strip of it, is drawn. begin_picture() returns the function for
+    // Frame::after.
+    const std::function<void(const Step&)>* begin_picture(std::uint64_t revision, const Display& display) {
+        return frame_costs_.begin(revision, display.at_once());
     }
-    void end_picture(double milliseconds) { frame_costs_.end(milliseconds); }
+    void end_picture(const Display& display) {
+        frame_costs_.end(display.counters().frame_ms, display.counters().grain == 0);
+    }
 
     // Call it after each frame, whether the picture was drawn or is unchanged. `still`: nothing moves, by hand or by
     // itself. Returns true if the panels must be shown again.
     bool follow(Document& document, bool stale, const Display& display, bool still, const ui::Memory& memory);
     // True if step() has something to do.
     bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_ || found_.busy(); }
+    // How much is drawn of a picture with marks of pixels, where that takes long.
+    std::optional<double> flagged() const { return pixels_.facts() ? pixels_.facts()->drawn : std::nullopt; }
+    // True if the next call of follow() draws a part of something.
+    bool draws() const { return pixels_.busy(); }
     // Draws one picture to measure it, or some, with `alive` called between them. Returns true if there is something
     // new to show.
     bool step(Document* document, const Display& display, const std::function<void()>& alive);

@@ -67,6 +67,9 @@ private:
     Document* shown_document();
     // True if the next frame would be another picture even without input.
     bool moving();
+    // When more of what is shown can be drawn without input, by the clock of the window: a sharp picture or a strip of
+    // something; infinite if all is there.
+    double due() const;
     // True if time or values change by themselves.
     bool running();
     bool visible();
@@ -295,6 +298,8 @@ bool App::moving() {
     return document && (running() || !document->runtime->settled());
 }
 
+double App::due() const { return measuring_.draws() ? 0 : display_.sharp_due(); }
+
 bool App::visible() {
     const PixelSize pixels = window_->framebuffer();
     return pixels.width > 0 && pixels.height > 0;
@@ -306,7 +311,7 @@ double App::pause() {
     if (!specialised_ && options_.specialise) until = std::min(until, touched_ + until_still);
     if (interface_.fading() && visible()) until = std::min(until, window_->now() + frame_time);
     if (moving() && visible()) until = std::min(until, display_.last_picture() + frame_time);
-    if (visible()) until = std::min(until, display_.sharp_due());
+    if (visible()) until = std::min(until, due());
     if (options_.exit_after > 0) until = std::min(until, began_ + options_.exit_after + 1e-3);
     return std::max(0.0, until - window_->now());
 }
@@ -322,7 +327,7 @@ bool App::listen() {
 }
 
 bool App::answer() {
-    if (question_ == answered_ || !events_.empty() || !std::isinf(display_.sharp_due())) return false;
+    if (question_ == answered_ || !events_.empty() || !std::isinf(due())) return false;
     if (unsettled_ > 0 && ++steps_ < until_seen) return false;
     answered_ = question_;
     return true;
@@ -341,7 +346,7 @@ void App::step() {
     if (const std::vector<std::string> dropped = window_->take_dropped(); !dropped.empty())
         show_scene(workspace_.serve_dropped(dropped, interface_.memory()));
     if (now >= interface_.due()) settle(until_equal);
-    woken |= now >= display_.sharp_due() || !events_.empty() || unsettled_ > 0 || interface_.fading() ||
+    woken |= now >= due() || !events_.empty() || unsettled_ > 0 || interface_.fading() ||
              (moving() && now >= display_.last_picture() + frame_time);
     if (answer() && !woken) write_state();
     if (!visible()) {
@@ -388,7 +393,7 @@ bool App::look() {
 
 bool App::specialise() {
     Document* document = shown_document();
-    if (interface_.memory().animating() || !std::isinf(display_.sharp_due())) return false;  // they are not seen yet
+    if (interface_.memory().animating() || !std::isinf(due())) return false;  // they are not seen yet
     if (specialised_ || !options_.specialise || !document || window_->now() < touched_ + until_still) return false;
     hang_.begin("compiling programs for the values as they are");
     specialised_ = !display_.specialise(*document);
@@ -464,9 +469,12 @@ ui::Facts App::facts() {
     facts.samples = display_.samples();
     facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
     if (const double share = display_.sharp_share(); share > 0)
-        facts.grain += fmt::format("{}sharp one: {:.0f} %", facts.grain.empty() ? "" : "; ", 100 * share);
+        facts.grain = fmt::format("sharp one: {:.0f} %", 100 * share);
+    else if (const auto flagged = measuring_.flagged())
+        facts.grain = fmt::format("marks: {:.0f} %", 100 * *flagged);
     facts.renderer = caps_.renderer;
     facts.first_picture = first_picture();
+    facts.longest_picture = options_.timeout;
     workspace_.tell(facts, memory);
     facts.full_screen = window_->full_screen();
     picking_.tell(facts, document, memory.hold);
@@ -506,7 +514,7 @@ void App::show(bool repaint) {
     if (first) interface_frame({});
     const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_,
                                                     !running() && !interface_.pressed(), memory);
-    if (drew || told) settle(1);  // the panels show the new cost and values
+    if (drew || told) settle(told ? until_equal : 1);  // the panels show the new cost and values
     // The divider is in the interface's picture.
     const std::array now{interface_.picture(), measuring_.revision(memory)};
     if (drew || told || repaint || now != presented_) {
@@ -559,34 +567,26 @@ bool App::draw_scene() {
     const Stand stand{in_pixels(memory.scene.width), in_pixels(memory.scene.height),
                       document.runtime->animated() ? time : 0, std::move(view), values_of(document.controls)};
     const bool held = interface_.pressed();
-    const Wanted wanted{held, memory.always_sharp, memory.animating() && !held, measuring_.wants_picture()};
-    const std::string drawing = "drawing a frame of " + workspace_.name();
+    const Wanted wanted{held, memory.always_sharp, memory.animating() && !held, measuring_.wants_picture(display_)};
     measuring_.prepare(document, session, memory.accuracy);
     Document& shown = measuring_.shown(document);
     const std::uint64_t showing = measuring_.showing();
     // Objects are those of the scene: a found rung may have others.
     const Index object = shown.scene().draws.size() == document.scene().draws.size() ? memory.hold.object : none;
+    Half left{{revision, stand, document.controls.rungs, showing, object}, &shown};
+    std::optional<Half> right;
     Document* const beside = measuring_.beside(document);
-    const auto draw_beside = [&] {
-        if (!beside) return false;
-        Stand other = stand;
-        other.values = values_of(beside->controls);
-        hang_.begin(drawing);
-        const bool drew =
-            display_.draw_beside({revision, std::move(other), beside->controls.rungs, showing}, *beside, density);
-        hang_.rest();
-        if (drew && beside == &document && !lost()) session.drawn_well();
-        return drew;
-    };
-    if (!display_.prepare({revision, stand, document.controls.rungs, showing, object}, shown, wanted))
-        return draw_beside();
-    hang_.begin(drawing);
-    const bool whole = display_.draw(shown, measuring_.begin_picture(revision + (showing << 32U)), density);
+    if (beside) {
+        right = Half{{revision, stand, beside->controls.rungs, showing}, beside};
+        right->next.stand.values = values_of(beside->controls);
+    }
+    if (!display_.prepare(std::move(left), std::move(right), wanted)) return false;
+    hang_.begin("drawing a frame of " + workspace_.name());
+    const bool drew = display_.draw(measuring_.begin_picture(revision + (showing << 32U), display_), density);
     hang_.rest();
-    if (!whole) return false;
-    measuring_.end_picture(display_.counters().frame_ms);
-    draw_beside();
-    if (&shown == &document) session.drawn_well();
+    if (!drew) return false;
+    measuring_.end_picture(display_);
+    if (&shown == &document || beside == &document) session.drawn_well();
     return true;
 }
 

@@ -81,6 +81,7 @@ json found_of(const ui::FoundFacts& facts) {
 // Values are written as text, because JSON has neither NaN nor infinity.
 json pixels_of(const ui::PixelFacts& facts) {
     json pixels{{"title", facts.half.empty() ? facts.at : facts.at + ", " + facts.half}};
+    if (facts.drawn) pixels["drawn"] = *facts.drawn;
     if (facts.flags)
         for (const Flag flag : {Flag::nan, Flag::infinite, Flag::negative, Flag::above_one})
             pixels["flags"][std::string(name(flag))] = (*facts.flags)[flag];
@@ -100,7 +101,8 @@ json frame_cost_of(const ui::FrameCostFacts& facts) {
         apart.push_back({{"name", cost.name}, {"milliseconds", cost.milliseconds}, {"draw", cost.draw}});
     return {{"pictures", facts.frames.size()}, {"last", facts.frames.empty() ? 0 : facts.frames.back()},
             {"median", facts.median},          {"high", facts.high},
-            {"apart", std::move(apart)},       {"measuring", facts.measuring.has_value()}};
+            {"apart", std::move(apart)},       {"measuring", facts.measuring.has_value()},
+            {"coarse", facts.coarse}};
 }
 
 json textures_of(const ui::TextureFacts& facts) {

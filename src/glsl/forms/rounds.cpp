@@ -20,7 +20,7 @@ namespace snell::glsl {
 
 namespace {
 
-constexpr double many = 4096;  // in all loops of a stage
+constexpr double many = 1024;  // in all loops of a stage
 constexpr double few = 512;    // a large picture takes seconds with more, where processors draw it
 constexpr double unknown = std::numeric_limits<double>::infinity();
 

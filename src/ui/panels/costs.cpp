@@ -39,8 +39,9 @@ bool plotted(const FrameCostFacts& facts) { return facts.frames.size() > 2; }
 
 // What stands in the place of the plot until then. Where something moves, pictures come by themselves.
 Text not_plotted(const FrameCostFacts& facts, bool moves) {
-    return moves ? Text("Measuring: {} of 3 pictures", facts.frames.size())
-                 : Text("The next pictures are plotted here.");
+    return facts.coarse > 0 ? Text("The next sharp pictures are plotted here.")
+           : moves          ? Text("Measuring: {} of 3 pictures", facts.frames.size())
+                            : Text("The next pictures are plotted here.");
 }
 
 // Plots the last frames from left to right, with lines for the median and the 95th percentile.
@@ -134,6 +135,10 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         ImGui::TextDisabled("%s", high.c_str());
     }
     plot(cost, facts.animated || memory.animating(), layout);
+    if (cost.coarse > 0) {
+        wrapped(Text("of sharp pictures; {}", counted(cost.coarse, "coarse one") + " left out").view(), true);
+        layout.note("frame cost.coarse");
+    }
     if (!cost.passes.empty()) {
         wrapped("GPU time of each pass, by timer queries", true);
         ImGui::PushID("live");

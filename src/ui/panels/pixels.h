@@ -27,6 +27,7 @@ struct PixelFacts {
     std::string statement, place;            // what the pixel shows, and more of it; both empty if nothing covers it
     std::optional<FlagCounts> flags;         // set while PixelMemory::flags
     std::string note;                        // why there are no flags; empty if there are
+    std::optional<double> drawn;             // how much of a picture with new flags, where that takes long
 };
 
 struct PixelMemory {

@@ -58,13 +58,14 @@ struct CostRow {
 };
 
 struct FrameCostFacts {
-    std::span<const float> frames;    // of the last pictures, in milliseconds as Facts::frame_ms, oldest first
+    std::span<const float> frames;    // of the last sharp pictures, in milliseconds as Facts::frame_ms, oldest first
     float median = 0, high = 0;       // `high` is the 95th percentile
     std::span<const CostRow> passes;  // of the frames that were drawn, by the GPU's clock; empty if it has none
     std::span<const CostRow> apart;   // measured on request, in additional frames
     std::string_view apart_clock;
     double apart_plain = 0;           // a whole one of these frames, without waits or queries between its draws
     std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
+    int coarse = 0;                   // number of coarse pictures, which are not among `frames`
 };
 
 struct SampleCards {
@@ -85,6 +86,7 @@ struct Facts {
     bool stale = false;                    // the picture shows an earlier version of the files
     bool incomplete = false;               // that version has errors, too
     bool first_picture = false;            // it is drawn next: no picture of the scene is there yet
+    double longest_picture = 0;            // seconds after which one is given up; 0: never
     std::uint64_t revision = 0;            // increases each time the files are read
     bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
     double time = 0;                       // seconds since the scene began

@@ -70,7 +70,7 @@ bool FrameCosts::open(bool wanted, std::uint64_t revision, double milliseconds) 
     return open_;
 }
 
-const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision) {
+const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision, bool at_once) {
     if (!open_) return nullptr;
     if (revision != revision_) {  // another scene
         frames_.clear();
@@ -78,9 +78,11 @@ const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision
         known_.clear();
         apart_.reset();
         revision_ = revision;
+        facts_.coarse = 0;
     }
     running_ = true;
-    if (!by_gpu()) return nullptr;
+    marking_ = at_once && by_gpu();
+    if (!marking_) return nullptr;
     marked_.clear();
     marks_.mark();
     listener_ = [this](const Step& step) {
@@ -91,13 +93,13 @@ const std::function<void(const Step&)>* FrameCosts::begin(std::uint64_t revision
     return &listener_;
 }
 
-void FrameCosts::read_marks(double picture) {
+void FrameCosts::read_marks(double picture, bool sharp) {
     marks_.mark();  // the axes, and many samples made one
     const auto times = marks_.take();
     double all = 0;
     for (std::size_t i = 0; i < times.size(); ++i) {
         all += times[i];
-        if (i < marked_.size()) push(live_[{marked_[i], none}], times[i], most_pass_times);
+        if (sharp && i < marked_.size()) push(live_[{marked_[i], none}], times[i], most_pass_times);
     }
     // A clock that is wrong is so again and again; one late reading is none.
     odd_ = all > 1.2 * picture + .2 ? odd_ + 1 : 0;
@@ -106,11 +108,13 @@ void FrameCosts::read_marks(double picture) {
     live_.clear();
 }
 
-void FrameCosts::end(double milliseconds) {
-    if (!running_) return;
-    running_ = false;
-    push(frames_, static_cast<float>(milliseconds), most_frames);
-    if (by_gpu()) read_marks(milliseconds);
+void FrameCosts::end(double milliseconds, bool sharp) {
+    if (!std::exchange(running_, false)) return;
+    if (sharp)
+        push(frames_, static_cast<float>(milliseconds), most_frames);
+    else
+        ++facts_.coarse;
+    if (std::exchange(marking_, false)) read_marks(milliseconds, sharp);
 }
 
 void FrameCosts::measure() {

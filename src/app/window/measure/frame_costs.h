@@ -31,10 +31,12 @@ public:
     bool open(bool wanted, std::uint64_t revision, double milliseconds);
     // The first picture of a scene waits for the driver's compiler, so that one more is drawn even if nothing changes.
     bool wants_picture() const { return open_ && frames_.size() == 1; }
-    // Call it before drawing a picture of the document with this revision. Returns the function for Frame::after.
-    const std::function<void(const Step&)>* begin(std::uint64_t revision);
-    // Call it after the picture was drawn and the GPU has finished. `milliseconds` is its time.
-    void end(double milliseconds);
+    // Call it before drawing a picture, or a strip of it, of the document with this revision. Returns the function for
+    // Frame::after, if passes can be timed: those of a picture that is drawn at once.
+    const std::function<void(const Step&)>* begin(std::uint64_t revision, bool at_once);
+    // Call it after the picture was drawn and the GPU has finished. `milliseconds` is its time, which counts if it is
+    // sharp.
+    void end(double milliseconds, bool sharp);
 
     // Starts or stops measuring passes and draws, in additional frames.
     void measure();
@@ -56,12 +58,12 @@ private:
     struct Apart;
 
     bool by_gpu();
-    void read_marks(double picture);
+    void read_marks(double picture, bool sharp);
     std::vector<ui::CostRow> rows_of(const Times& times, const Document& document) const;
 
     gl::Caps caps_;
     accuracy::FrameClock clock_;
-    bool open_ = false, running_ = false;
+    bool open_ = false, running_ = false, marking_ = false;
     std::vector<float> frames_, sorted_;  // in milliseconds; frames_ is in order of time
     gl::Marks marks_;
     std::vector<Index> marked_;  // the passes in the order of the marks; `none` for the time before them

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,7 +24,7 @@ Frame PixelView::frame(const Document& shown, const Stand& stand) {
 }
 
 bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
-                       float density, std::string_view half) {
+                       float density, std::string_view half, const Pace& pace) {
     const bool wanted = (memory.inspecting || memory.flags) && stand.width > 0 && stand.height > 0;
     if (!wanted) {
         const bool had = pixels_ != nullptr;
@@ -50,16 +52,30 @@ bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t pictur
         }
     }
     if (!memory.flags) {
-        fresh |= facts_.flags.has_value();
-        facts_.flags.reset();
-        still_ = {};
-        flagged_ = 0;
-    } else if (flagged_ != picture) {
-        flag(shown, stand);
-        flagged_ = picture;
-        fresh = true;
+        fresh |= unflag();
+    } else if (std::pair now{picture, std::string(half)}; flagged_ != now) {
+        const bool waits = pace.lasts > 0 && !pace.sharp, waited = facts_.drawn.value_or(1) == 0;
+        if (!waits || !waited) fresh |= unflag();
+        if (waits) {
+            facts_.drawn = 0;
+            fresh |= !waited;
+        } else {
+            flagged_ = std::move(now);
+            strips_.emplace(stand.width, stand.height, pace.lasts);
+        }
     }
+    if (strips_) fresh |= flag(shown, stand);
     return fresh;
+}
+
+bool PixelView::unflag() {
+    const bool had = facts_.flags.has_value() || facts_.drawn.has_value();
+    facts_.flags.reset();
+    facts_.drawn.reset();
+    strips_.reset();
+    still_ = {};
+    flagged_ = {};
+    return had;
 }
 
 void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
@@ -75,11 +91,21 @@ void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
     facts_.place = statement_place(span, shown.sources);
 }
 
-void PixelView::flag(Document& shown, const Stand& stand) {
-    pixels_->draw(*shown.runtime, frame(shown, stand), rgba_);
+bool PixelView::flag(Document& shown, const Stand& stand) {
+    using Clock = std::chrono::steady_clock;
+    const bool whole = strips_->draw([&](const PixelRect& strip) {
+        const Clock::time_point start = Clock::now();
+        pixels_->draw(*shown.runtime, frame(shown, stand), rgba_, strip);
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    });
+    facts_.drawn = strips_->share();
+    if (!whole) return true;
+    facts_.drawn.reset();
+    strips_.reset();
     facts_.flags = count_flags(rgba_);
     paint_flags(rgba_, painted_);
     still_.set(stand.width, stand.height, painted_);
+    return true;
 }
 
 void PixelView::show(int y) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "src/app/window/measure/accuracy_view.h"
+#include "src/document/coarseness.h"
 #include "src/document/document.h"
 #include "src/gl/present.h"
 #include "src/gl/texels.h"
@@ -25,10 +26,17 @@ namespace snell {
 class PixelView {
 public:
     // Call it after each frame, whether the picture was drawn or is unchanged. `picture` counts pictures; `density` is
-    // pixels per window coordinate. `half` names that of two states that `shown` is, where two are shown. Returns true
+    // pixels per window coordinate. `half` names that of two states that `shown` is, where two are shown. Pixels are
+    // flagged once the picture is `sharp`, in strips if it `lasts` so many milliseconds, as Display says. Returns true
     // if something must be shown again.
+    struct Pace {
+        double lasts = 0;
+        bool sharp = true;
+    };
     bool follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
-                float density, std::string_view half);
+                float density, std::string_view half, const Pace& pace);
+    // The next strip can be drawn.
+    bool busy() const { return strips_.has_value(); }
     // Null while nothing is requested. Valid until the next call of follow().
     const ui::PixelFacts* facts() const { return pixels_ ? &facts_ : nullptr; }
     // Draws the flagged pixels over the window's picture, whose bottom left is at pixel (0, y).
@@ -37,12 +45,17 @@ public:
 private:
     Frame frame(const Document& shown, const Stand& stand);
     void look(Document& shown, const Stand& stand, int x, int y);
-    void flag(Document& shown, const Stand& stand);
+    // Draws the next strips.
+    bool flag(Document& shown, const Stand& stand);
+    // Returns true if there were flags, or some to come.
+    bool unflag();
 
     static constexpr int radius = 4;  // of the magnified area, in pixels
     std::unique_ptr<FloatPicture> pixels_;
-    std::uint64_t looked_ = 0, flagged_ = 0;  // the pictures that were inspected and flagged last; 0: none
-    std::string half_;                        // that was inspected last
+    std::uint64_t looked_ = 0;                       // the picture that was inspected last; 0: none
+    std::string half_;                               // likewise
+    std::pair<std::uint64_t, std::string> flagged_;  // the picture that is flagged, and its half
+    std::optional<Strips> strips_;                   // of it, until it is whole
     Inspection found_;
     std::vector<float> rgba_;
     View view_;
