@@ -6,6 +6,7 @@
 
 #include "parser/text/words.h"
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
@@ -407,6 +408,14 @@ void hint_redeclared(std::string_view name, const Place& place, const Context& c
             diagnostic.notes.push_back({span_of(place.file, d), "first declared here"});
             return;
         }
+    if (context.twice(place.file)) {
+        diagnostic.help = included_twice(context.sources.name(place.file));
+        return;
+    }
+    for (const FileId file : context.stage ? context.stage->files : std::vector<FileId>())
+        for (const Declared& d : context.texts.declared(file))
+            if (file != place.file && d.name == name && d.depth == 0)
+                diagnostic.notes.push_back({span_of(file, d), "declared here, too"});
 }
 
 void hint_read_only(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
@@ -477,6 +486,8 @@ void hint(const Entry& entry, const Place& place, const Context& context, Diagno
             return hint_redeclared(name, place, context, diagnostic);
         case Kind::read_only:
             return hint_read_only(name, place, context, diagnostic);
+        case Kind::not_global:
+            return hint_not_global(place, context, diagnostic);
         case Kind::syntax:
             return hint_syntax(place, context, diagnostic);
         case Kind::end_of_file:

@@ -124,27 +124,62 @@ bool hint_macro(const Around& a, const Place& place, Diagnostic& diagnostic) {
     return false;
 }
 
-bool hint_semicolon(const Around& a, const Place& place, Diagnostic& diagnostic) {
-    if (a.at == 0 || a.parens != 0 || a.word(a.at) == "{" || !ends_operand(a.before())) return false;
+// Whether the '}' before `at` ends a structure or a block of variables, which a ';' follows.
+bool ends_structure(const Around& a) {
+    const std::size_t open = a.before() == "}" ? last_block(a) : a.all.size();
+    if (open == 0 || open >= a.all.size()) return false;
+    const std::string_view kind = open > 1 ? a.word(open - 2) : "";
+    return kind == "struct" || a.word(open - 1) == "struct" || kind == "uniform" || kind == "in" || kind == "out";
+}
+
+// Tells of a ';' that is missing before `at`, in place of the message if `instead`.
+void tell_semicolon(const Around& a, const Place& place, bool instead, Diagnostic& diagnostic) {
     const Word& before = a.all[a.at - 1];
-    if (before.directive) return false;
-    const bool new_line = before.line < a.all[a.at].line;
-    if (!new_line && a.word(a.at) != "}") return false;
-    diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
-                               : std::string("a ';' is missing before the '}'");
     const Span end{place.file, before.end - 1, before.end};
-    if (constexpr std::string_view bare = "syntax error ("; diagnostic.message.starts_with(bare)) {
-        diagnostic.message.replace(0, bare.size() - 2, "a ';' is missing after this");
+    constexpr std::string_view missing = "a ';' is missing after this";
+    if (instead) {
+        diagnostic.message.replace(0, diagnostic.message.find(" ("), missing);
         diagnostic.span = end;
-        diagnostic.help.clear();
+        diagnostic.help = a.before() == "}" ? "the '}' of a struct or a block of variables is followed by a ';'" : "";
     } else {
-        diagnostic.notes.push_back({end, "a ';' is missing after this"});
+        diagnostic.notes.push_back({end, std::string(missing)});
     }
     diagnostic.fixes = {{{place.file, before.end, before.end}, ";"}};
+}
+
+bool hint_semicolon(Around a, const Place& place, Diagnostic& diagnostic) {
+    const int line = a.all[a.at].line;
+    const bool opens = a.word(a.at) == "{";
+    while (a.at > 0 && a.all[a.at - 1].directive) {
+        // What comes before the end of a branch may not be compiled.
+        if (const std::string_view word = a.word(--a.at); word == "endif" || word == "else" || word == "elif")
+            return false;
+    }
+    // Names on the next line may be variables of the structure: what follows them is blamed.
+    Around earlier = a;
+    while (earlier.at > 0 && earlier.all[earlier.at - 1].name) --earlier.at;
+    if (ends_structure(earlier) && earlier.all[earlier.at - 1].line < earlier.all[earlier.at].line) a = earlier;
+    const bool structure = ends_structure(a);
+    if (a.at == 0 || a.parens != 0 || opens || !(structure || ends_operand(a.before()))) return false;
+    const Word& before = a.all[a.at - 1];
+    const bool new_line = before.line < line;
+    if (!new_line && !structure && a.word(a.at) != "}") return false;
+    diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
+                               : std::string("a ';' is missing before the '}'");
+    tell_semicolon(a, place, structure || diagnostic.message.starts_with("syntax error ("), diagnostic);
     return true;
 }
 
-bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
+// A brace before the place that is never closed.
+bool hint_brace(const Place& place, std::string_view text, Diagnostic& diagnostic) {
+    const std::size_t brace = unclosed_brace(text);
+    if (brace == std::string_view::npos || brace >= place.span.begin) return false;
+    const auto offset = static_cast<std::uint32_t>(brace);
+    diagnostic.notes.push_back({{place.file, offset, offset + 1}, "this '{' is never closed"});
+    return true;
+}
+
+bool hint_brackets(const Around& a, const Place& place, Diagnostic& diagnostic) {
     const std::string_view here = a.word(a.at);
     if (a.loop && here != ";" && here != "{") {
         diagnostic.help = "the three parts of a 'for' are separated by ';'";
@@ -156,6 +191,7 @@ bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
         diagnostic.help = "there are more ')' than '('";
     } else if (here == "{" && a.before() == ")" && a.depth > 0) {
         diagnostic.help = "a function cannot be defined inside another one: is a '}' missing above?";
+        hint_brace(place, a.text, diagnostic);
     } else if (here == "{" && a.depth == 0 && ends_operand(a.before()) && a.before() != ")") {
         diagnostic.help = fmt::format("a function needs parentheses: {}()", a.before());
     } else {
@@ -217,6 +253,18 @@ bool hint_template(const Around& a, const Place& place, Diagnostic& diagnostic) 
 
 }  // namespace
 
+void hint_not_global(const Place& place, const Context& context, Diagnostic& diagnostic) {
+    diagnostic.help = "declare it above the function";
+    if (place.known && hint_brace(place, context.sources.text(place.file), diagnostic))
+        diagnostic.help = "is a '}' missing above?";
+}
+
+bool finished(std::string_view text, const std::vector<Word>& words, std::uint32_t offset) {
+    const Around a = around(text, words, offset);
+    const std::string_view last = a.before();
+    return last.empty() || last == ";" || last == "{" || (last == "}" && !ends_structure(a));
+}
+
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
     const std::string_view text = context.sources.text(place.file);
@@ -233,13 +281,9 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
                            ranges::none_of(context.texts.declared(place.file),
                                            [&](const Declared& d) { return d.name == a.before(); });
         if (two_names && hint_unknown_type(a.before(), a.span(place.file, a.at - 1), first, diagnostic)) return;
-        if (hint_brackets(a, diagnostic)) return;
+        if (hint_brackets(a, place, diagnostic)) return;
     }
-    const std::size_t brace = unclosed_brace(text);
-    if (brace != std::string_view::npos && brace < place.span.begin) {
-        const auto offset = static_cast<std::uint32_t>(brace);
-        diagnostic.notes.push_back({{place.file, offset, offset + 1}, "this '{' is never closed"});
-    } else if (a.word(a.at) == "}" && a.depth <= 0) {
+    if (!hint_brace(place, text, diagnostic) && a.word(a.at) == "}" && a.depth <= 0) {
         diagnostic.help = "there are more '}' than '{'";
         if (const std::size_t block = last_block(a); block < a.all.size())
             diagnostic.help +=
@@ -256,6 +300,9 @@ void hint_end_of_file(const Place& place, const Context& context, Diagnostic& di
         // Some compilers stop at the first character that they do not know.
         for (const Word& w : context.texts.words(place.file))
             if (hint_character({place.file, w.begin, w.end}, text, diagnostic)) return;
+        const Around a = around(text, context.texts.words(place.file), place.span.end);
+        if (ends_structure(a) || (ends_operand(a.before()) && a.before() != ")" && a.parens == 0))
+            return tell_semicolon(a, place, true, diagnostic);
         diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";
         return;
     }

@@ -87,6 +87,7 @@ constexpr KindWords kind_words[]{
     {Kind::redeclared, "glsl-redeclared", {"'{name}' is declared twice"}},
     {Kind::read_only, "glsl-read-only", {"'{name}' cannot be assigned to", "this cannot be assigned to"}},
     {Kind::not_constant, "glsl-not-constant", {"the initial value must be a constant expression"}},
+    {Kind::not_global, "glsl-syntax", {"'{name}' cannot be declared within a function"}},
     {Kind::syntax, "glsl-syntax"},
     {Kind::end_of_file, "glsl-syntax", {"the text ends in the middle of a block or statement"}},
     {Kind::if_unfinished, "glsl-syntax", {"an #if, #ifdef or #ifndef has no #endif"}},
