@@ -108,6 +108,16 @@ TEST_F(SmallestWindow, WhatANoticeOffersIsSeenInTheSmallestWindow) {
     EXPECT_TRUE(requests_.save_as);
 }
 
+TEST_F(SmallestWindow, TheFieldForANameIsSeenWhole) {
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    browser();
+    for (const bool start : {false, true}) {
+        memory_.browser.start = start;
+        const Rect field = place("browser.name");
+        EXPECT_LE(field.y + field.height, 320 - .5F * ImGui::GetFontSize()) << (start ? "scenes" : "folders");
+    }
+}
+
 const Panel panels[] = {
     {"programs", "Glass.uEta", &Screens::programs},
     {"many-sliders", "filter", &Screens::many_sliders},

@@ -383,8 +383,9 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     const bool two_rows =
         check_box_width("All files") + button_width("Cancel") + button_width("Open") + 2 * em > size.x - 2 * em;
     const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2);
-    // In the lowest windows all of it scrolls.
-    const float height = std::max(ImGui::GetContentRegionAvail().y - below, 7 * em);
+    // In the lowest windows all of it scrolls; the field for the name is seen first.
+    const float room = ImGui::GetContentRegionAvail().y;
+    const float height = std::max(room - below, std::min(7 * em, room - ImGui::GetFrameHeightWithSpacing()));
     const float side = !browser.start && size.x > 40 * em ? 11.5F * em : 0;
     if (side > 0) {
         ImGui::BeginChild("##places", {side, height});
