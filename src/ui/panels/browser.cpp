@@ -318,11 +318,10 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
 
 // The two pages as tabs.
 void pages(const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
-    if (tab("Scenes", memory.browser.start, layout, "browser.start")) memory.browser.start = true;
-    ImGui::SameLine(0, 0);
-    if (tab("Folders", !memory.browser.start, layout, "browser.folders") && memory.browser.start)
-        open_browser(listing.folder, memory, requests);
-    ImGui::Separator();
+    const bool start = tabs({{{"Scenes", "browser.start"}, {"Folders", "browser.folders"}}},
+                            memory.browser.start ? 0 : 1, layout) == 0;
+    if (memory.browser.start && !start) open_browser(listing.folder, memory, requests);
+    if (start) memory.browser.start = true;
 }
 
 }  // namespace
