@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <span>
 
 #include "parser/text/words.h"
@@ -118,8 +119,7 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
             for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || d.qualifier == "const") continue;
                 const bool given = d.qualifier == "in" || d.qualifier == "attribute";
-                const bool passed = d.qualifier == "out" || d.qualifier == "varying";
-                const std::string_view here = passed && d.qualifier == "out" ? "in" : d.qualifier;
+                const std::string_view here = d.qualifier == "out" ? "in" : d.qualifier == "in" ? "out" : d.qualifier;
                 diagnostic.help = given && other.stage == Stage::vertex
                                       ? hand_on(name)
                                       : fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
@@ -229,9 +229,10 @@ bool hint_no_type(std::string_view name, const Place& place, const Context& cont
     const std::string_view text = context.sources.text(place.file);
     for (std::size_t i = 1; i + 2 < read.size(); ++i) {
         if (read[i].line != place.line || text_of(text, read[i]) != name || text_of(text, read[i + 1]) != "=" ||
-            text_of(text, read[i + 2]) == "=" ||
-            std::string_view(";{}").find(text_of(text, read[i - 1])) == std::string_view::npos)
+            text_of(text, read[i + 2]) == "=")
             continue;
+        const bool loop = i > 1 && text_of(text, read[i - 2]) == "for";
+        if (std::string_view(loop ? "(" : ";{}").find(text_of(text, read[i - 1])) == std::string_view::npos) continue;
         diagnostic.help = "where it first gets a value, its type comes before it";
         const Span span{place.file, read[i].begin, read[i].end};
         if (context.stage)
@@ -267,6 +268,11 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         diagnostic.help = fmt::format("declare it: uniform {} {};", sampler, name);
         return;
     }
+    if (!called && (!d || !same_word(d->name, name)) && hint_other_stage(name, context, diagnostic)) return;
+    const bool fragment = context.stage && context.stage->stage == Stage::fragment;
+    const bool given = d && (d->qualifier == "uniform" || d->qualifier == "in" || d->qualifier == "const" ||
+                             (d->qualifier == "varying" && fragment));
+    if (given && !same_word(d->name, name) && hint_no_type(name, place, context, diagnostic)) return;
     if (d) {
         const bool unused = d->qualifier == "uniform" && d->uses == 0;
         diagnostic.help = fmt::format("did you mean '{}'?", d->name);
@@ -275,7 +281,6 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
             {span_of(place.file, *d), unused ? "this uniform is declared but never used" : "declared here"});
         return;
     }
-    if (hint_other_stage(name, context, diagnostic)) return;
     const std::string_view meaning = gstap_meaning(name, Stage::vertex);
     const LegacyName* legacy = legacy_name(meaning.empty() ? name : meaning);
     if (legacy && legacy->kind == LegacyKind::attribute && context.stage && context.stage->stage != Stage::vertex) {
@@ -287,8 +292,15 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
     for (const auto& [theirs, ours] : shadertoy)
         if (name == theirs) diagnostic.help = fmt::format("Shadertoy's: declare and write 'uniform {};' here", ours);
     if (!diagnostic.help.empty()) return;
-    const bool color = same_word(name, "fragColor") && context.stage && context.stage->stage == Stage::fragment;
+    const bool color = same_word(name, "fragColor") && fragment;
     if (!color && !of_gl(name) && hint_no_type(name, place, context, diagnostic)) return;
+    // A name as uniforms have it is none of the language.
+    if (!called && name.size() > 1 && name[0] == 'u' && std::isupper(static_cast<unsigned char>(name[1])) != 0) {
+        const std::string type =
+            type_given(name, {}, {}, context.sources.text(place.file), context.texts.words(place.file));
+        diagnostic.help = fmt::format("declare it above main: uniform {} {};", type, name);
+        return;
+    }
     if (const std::string_view built_in = color ? "gl_FragColor" : nearest_builtin(name); !built_in.empty()) {
         diagnostic.help = fmt::format("did you mean '{}'?", built_in);
         suggest(diagnostic, name, built_in, context);

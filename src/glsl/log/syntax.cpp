@@ -29,7 +29,7 @@ bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diag
         meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
                                "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
                                "bvec4",       "mat2",  "mat3",    "mat4",    "sampler1D", "sampler2D", "sampler3D",
-                               "samplerCube", "const", "uniform", "varying", "attribute", "return"});
+                               "samplerCube", "const", "uniform", "varying", "attribute", "return",    "struct"});
     }
     if (meant == type || (meant.empty() && sizes.empty() && (!first || builtin_type(type)))) return false;
     diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
@@ -42,6 +42,11 @@ bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diag
 bool ends_operand(std::string_view word) {
     const char c = word.empty() ? ' ' : word.back();
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
+}
+
+bool is_one_of(std::string_view word, std::string_view list) {
+    const std::vector<std::string_view> all = split(list);
+    return ranges::find(all, word) != all.end();
 }
 
 bool foreign_character(std::string_view word) {
@@ -147,6 +152,23 @@ void tell_semicolon(const Around& a, const Place& place, bool instead, Diagnosti
     diagnostic.fixes = {{{place.file, before.end, before.end}, ";"}};
 }
 
+// `float f(float x)` without its '{': what follows is a statement and no declaration that stands outside of functions.
+bool hint_body(const Around& a, Diagnostic& diagnostic) {
+    if (a.depth > 0 || a.before() != ")" || a.parens != 0 || !a.all[a.at].name) return false;
+    std::size_t open = a.at - 1;
+    for (int count = 0; open > 0; --open) {
+        count += a.word(open) == ")" ? 1 : a.word(open) == "(" ? -1 : 0;
+        if (count == 0) break;
+    }
+    if (open < 2 || !a.all[open - 1].name || !a.all[open - 2].name) return false;
+    const std::string_view here = a.word(a.at);
+    const bool declares = builtin_type(here) || is_one_of(here, "void uniform varying attribute in out const struct");
+    const bool local = a.at + 2 < a.all.size() && a.word(a.at + 2) != "(" && builtin_type(here);
+    if (declares && !local) return false;
+    diagnostic.help = fmt::format("a '{{' is missing before '{}'", here);
+    return true;
+}
+
 bool hint_semicolon(Around a, const Place& place, Diagnostic& diagnostic) {
     const int line = a.all[a.at].line;
     const bool opens = a.word(a.at) == "{";
@@ -210,6 +232,18 @@ bool hint_character(Span span, std::string_view text, Diagnostic& diagnostic) {
     return true;
 }
 
+// Whether the word at `at` follows an operand within an expression: an operator is missing.
+bool second_operand(const Around& a, bool number) {
+    if (a.at < 2 || !ends_operand(a.before()) || a.all[a.at - 1].line != a.all[a.at].line) return false;
+    if (number) return a.parens > 0;
+    if (a.depth == 0 && a.before() == ")") return false;  // of a layout
+    if (!a.all[a.at].name || builtin_type(a.word(a.at)) || is_one_of(a.word(a.at - 2), "( ; { } ,")) return false;
+    bool value = a.parens > 0;
+    for (std::size_t i = a.at; i-- > 0 && !value && !is_one_of(a.word(i), "; { }");)
+        value = a.word(i) == "=" || (a.word(i) == "return" && i + 1 < a.at);
+    return value && a.before() != "return";
+}
+
 // Two operands, or a sign too many, where one word says what was meant.
 bool hint_words(const Around& a, const Place& place, Diagnostic& diagnostic) {
     const std::string_view here = a.word(a.at), next = a.word(a.at + 1), before = a.before();
@@ -231,12 +265,36 @@ bool hint_words(const Around& a, const Place& place, Diagnostic& diagnostic) {
         diagnostic.fixes = {{{place.file, a.all[a.at].begin, a.all[a.at].begin}, "= "}};
     } else if (a.all[a.at].name && next == "(" && a.depth == 0 && (before == ";" || before == "}" || a.at == 0)) {
         diagnostic.help = fmt::format("the type of what it returns comes before a function's name: float {}(…)", here);
-    } else if (number && a.parens > 0 && ends_operand(before) && a.all[a.at - 1].line == a.all[a.at].line) {
-        diagnostic.help = fmt::format("an operator or a ',' is missing before '{}'", here);
+    } else if (second_operand(a, number)) {
+        diagnostic.help = builtin_function(before)
+                              ? fmt::format("what a function is given stands in ( ): {}(…)", before)
+                              : fmt::format("an operator or a ',' is missing before '{}'", here);
     } else {
         return false;
     }
     return true;
+}
+
+// Words and signs of other languages.
+bool hint_foreign(const Around& a, Diagnostic& diagnostic) {
+    const std::string_view here = a.word(a.at), next = a.word(a.at + 1), before = a.before();
+    constexpr std::pair<std::string_view, std::string_view> words[] = {
+        {"and", "'&&' joins conditions"},
+        {"or", "'||' joins conditions"},
+        {"not", "'!' turns a condition round"},
+        {"then", "remove 'then': what is done follows the condition"}};
+    for (const auto& [word, help] : words)
+        if (here == word || before == word) diagnostic.help = help;
+    if (here == ":" && next == "=") diagnostic.help = "'=' gives a value";
+    if (here == "*" && before == "*") diagnostic.help = "pow(x, y) is a power";
+    if (here == "version" && a.at == 0) diagnostic.help = fmt::format("a '#' is missing: #version {}", next);
+    for (const std::string_view word : {"if", "while", "for", "switch"})
+        if (before == word && here != "(") {
+            diagnostic.message.replace(0, diagnostic.message.find(" ("),
+                                       fmt::format("parentheses are missing after '{}'", word));
+            diagnostic.help = fmt::format("write {} (…)", word);
+        }
+    return !diagnostic.help.empty();
 }
 
 // A '?' that chooses nothing is a template's.
@@ -272,8 +330,9 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
     if (a.at < a.all.size()) {
         if (hint_character(a.span(place.file, a.at), text, diagnostic)) return;
         if (hint_template(a, place, diagnostic)) return;
-        if (hint_macro(a, place, diagnostic) || hint_semicolon(a, place, diagnostic)) return;
-        if (hint_words(a, place, diagnostic)) return;
+        if (hint_macro(a, place, diagnostic) || hint_body(a, diagnostic)) return;
+        if (hint_semicolon(a, place, diagnostic)) return;
+        if (hint_foreign(a, diagnostic) || hint_words(a, place, diagnostic)) return;
         const bool two_names =
             a.at > 0 && a.all[a.at - 1].name && a.all[a.at].name && a.all[a.at - 1].line == a.all[a.at].line;
         const std::string_view ahead = a.at > 1 ? a.word(a.at - 2) : std::string_view();
@@ -281,6 +340,10 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
                            ranges::none_of(context.texts.declared(place.file),
                                            [&](const Declared& d) { return d.name == a.before(); });
         if (two_names && hint_unknown_type(a.before(), a.span(place.file, a.at - 1), first, diagnostic)) return;
+        if (a.all[a.at].name && a.at + 1 < a.all.size() && a.all[a.at + 1].name &&
+            a.all[a.at + 1].line == a.all[a.at].line &&
+            hint_unknown_type(a.word(a.at), a.span(place.file, a.at), false, diagnostic))
+            return;
         if (hint_brackets(a, place, diagnostic)) return;
     }
     if (!hint_brace(place, text, diagnostic) && a.word(a.at) == "}" && a.depth <= 0) {
