@@ -243,23 +243,23 @@ bool hint_no_type(std::string_view name, const Place& place, const Context& cont
     return false;
 }
 
+// The text declares it, but not where it is seen here.
+bool hint_unseen(std::string_view name, const Place& place, const std::vector<Declared>& all, Diagnostic& diagnostic) {
+    const auto d = std::find_if(all.begin(), all.end(), [&](const Declared& other) { return other.name == name; });
+    if (d == all.end()) return false;
+    const bool later = d->begin > place.span.begin;
+    diagnostic.help = !later && d->function ? fmt::format("a function is called with its arguments: {}(…)", name)
+                      : later               ? std::string("declare it before its first use")
+                                            : std::string("a name holds only inside the { } where it is declared");
+    diagnostic.notes.push_back({span_of(place.file, *d), "declared here"});
+    return true;
+}
+
 void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic,
                      bool called = false) {
     if (!place.known) return;
     const std::vector<Declared>& all = context.texts.declared(place.file);
-    for (const Declared& d : all) {
-        if (d.name != name) continue;
-        const bool later = d.begin > place.span.begin;
-        if (!later && d.function) {
-            diagnostic.help = fmt::format("a function is called with its arguments: {}(…)", name);
-            diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
-            return;
-        }
-        diagnostic.help =
-            later ? "declare it before its first use" : "a name holds only inside the { } where it is declared";
-        diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
-        return;
-    }
+    if (hint_unseen(name, place, all, diagnostic)) return;
     if (!called && hint_comment(name, place.file, context, diagnostic)) return;
     if (!called && hint_given(name, place.file, context, diagnostic)) return;
     const Declared* d = of_gl(name) ? nullptr : nearest_declared(name, all, called);
