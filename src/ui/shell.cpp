@@ -281,14 +281,6 @@ void splitter(const Rect& panel, Memory& memory) {
     if (ImGui::IsItemActive()) memory.panel_width = (panel.width - ImGui::GetIO().MouseDelta.x) / ImGui::GetFontSize();
 }
 
-// Draws the tabs of the panel.
-void tabs(Memory& memory, Layout& layout) {
-    if (tab("Controls", memory.tab == Tab::controls, layout, "controls")) memory.tab = Tab::controls;
-    ImGui::SameLine(0, 0);
-    if (tab("Tools", memory.tab == Tab::tools, layout, "tools")) memory.tab = Tab::tools;
-    ImGui::Separator();
-}
-
 constexpr float words_room = 8;  // how to open a scene is said over the picture
 
 void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout& layout, Requests& requests) {
@@ -322,12 +314,15 @@ void panel_window(const Facts& facts, const Rect& panel, Controls& controls, Vie
     if (ImGui::Begin("##panel", nullptr, fixed | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
         // In low windows the scene's time scrolls with what is below it, and in the lowest everything does.
         const bool low = panel.height < 40 * em, lowest = panel.height < 16 * em;
-        const char* child = memory.tab == Tab::tools ? "##tools" : "##programs";
-        if (lowest) ImGui::BeginChild(child, {0, 0});
+        const auto begin_child = [&] {
+            ImGui::BeginChild(memory.tab == Tab::tools ? "##tools" : "##programs", {0, 0});
+        };
+        if (lowest) begin_child();
         toolbar(facts, view, memory, requests, layout);
         if (!low) clock_panel(facts, memory, layout);
-        tabs(memory, layout);
-        if (!lowest) ImGui::BeginChild(child, {0, 0});
+        memory.tab = static_cast<Tab>(
+            tabs({{{"Controls", "controls"}, {"Tools", "tools"}}}, static_cast<std::size_t>(memory.tab), layout));
+        if (!lowest) begin_child();
         if (low) clock_panel(facts, memory, layout);
         if (memory.tab == Tab::tools)
             tools_tab(facts, controls, view, memory, layout, requests);

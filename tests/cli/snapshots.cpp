@@ -225,6 +225,20 @@ TEST_F(Kept, OddNamesOfFilesAreNames) {
     }
 }
 
+// A file that is not there yet has its links, too: Save as writes through them.
+TEST_F(Kept, LinksHaveTheSnapshotsOfTheirFile) {
+    const std::string link = folder.path("links/other.glib"), again = folder.path("again.glib");
+    std::filesystem::create_directory(folder.path("links"));
+    std::filesystem::create_symlink("../s.glib", link);
+    std::filesystem::create_symlink(link, again);
+    std::filesystem::create_symlink("later.glib", folder.path("links/early.glib"));
+    auto document = open_file(again);
+    ASSERT_EQ(store_snapshot(3, *document), "");
+    for (const std::string& name : {link, again, folder.path("s.glib")}) EXPECT_TRUE(snapshots_there(name)[3]) << name;
+    EXPECT_FALSE(snapshots().empty());
+    EXPECT_EQ(snapshots_file(folder.path("links/early.glib")), folder.path("links/later.snapshots.json"));
+}
+
 TEST_F(Kept, SavedValuesAreReadAgain) {
     auto document = read();
     named(*document, "uA").value = {1. / 3};

@@ -103,6 +103,15 @@ constexpr Mistake mistakes[] = {
      "demo.frag:1:17 d", "a ';' is missing after this", ""},
     {"no semicolon between a varying and main", "varying vec2 vST\nvoid main() {\n    gl_FragColor = vec4(vST.s);\n}\n",
      "demo.frag:1:16 T", "a ';' is missing after this", ""},
+    {"no semicolon behind a structure",
+     "struct Light { vec3 color; }\nLight one() { return Light(vec3(1.)); }\nvoid main() {\n    gl_FragColor = "
+     "vec4(one().color, 1.);\n}\n",
+     "demo.frag:1:28 }", "a ';' is missing after this", "of a struct"},
+    {"varying within a function", "void main() {\n    varying vec2 vST;\n    gl_FragColor = vec4(vST.s);\n}\n",
+     "demo.frag:2:18 vST", "'vST' cannot be declared within a function", "above"},
+    {"missing brace before a varying",
+     "float f() {\n    return 1.;\nvarying vec2 vST;\nvoid main() {\n    gl_FragColor = vec4(vST.s);\n}\n",
+     "demo.frag:4:13 {", "unexpected '{'", "this '{' is never closed"},
     {"missing brace",
      "#version 330 compatibility\nin vec3 vNormal;\nvoid main() {\n    if (vNormal.x > 0.) {\n        gl_FragColor = "
      "vec4(1.);\n    gl_FragColor = vec4(0.);\n}\n",

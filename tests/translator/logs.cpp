@@ -2,7 +2,8 @@
 //
 // A file of tests/logs begins with what it is about. Then come the shaders ("== demo.frag"), what the driver saw of
 // them if that differs ("== translated demo.frag"), its logs ("== log DRIVER", "== link log DRIVER"), and the
-// diagnostics that each of these logs must give ("== expect"). Further logs are about the same shaders, unless shaders
+// diagnostics that each of these logs must give ("== expect"). A log whose name ends in "unnumbered" is of the text
+// without its #line. Further logs are about the same shaders, unless shaders
 // come before them.
 #include "tests/translator/translate_help.h"
 
@@ -31,10 +32,10 @@ struct Program {
         }
         translation.stages.back().files.push_back(file);
     }
-    Diagnostics explain(std::string_view log, const StageOutput* stage) {
+    Diagnostics explain(std::string_view log, const StageOutput* stage, Lines lines = Lines::numbered) {
         const FileId scene = sources.add("demo.glib", "Vertex demo.vert\nFragment demo.frag\nProgram Demo\n");
         Diagnostics said;
-        explain_log(log, translation, stage, {scene, 36, 48}, "Demo", sources, said);
+        explain_log(log, translation, stage, {scene, 36, 48}, "Demo", sources, said, lines);
         return said;
     }
 };
@@ -65,8 +66,9 @@ void check(const std::filesystem::path& path) {
                 SCOPED_TRACE(path.filename().string() + ": " + log.name);
                 const StageOutput* stage = log.name.starts_with("link") ? nullptr : &program.translation.stages.back();
                 // Drivers end their logs with a new line or without.
+                const Lines lines = log.name.ends_with("unnumbered") ? Lines::unnumbered : Lines::numbered;
                 for (const std::string& text : {log.text, log.text.substr(0, log.text.size() - 1)})
-                    EXPECT_EQ(render(program.explain(text, stage), program.sources), part.text);
+                    EXPECT_EQ(render(program.explain(text, stage, lines), program.sources), part.text);
             }
             logs.clear();
         } else if (part.name.starts_with("log") || part.name.starts_with("link log")) {

@@ -115,6 +115,7 @@ TEST(GlslPreprocess, IncludedFilesGuardThemselves) {
         {"left.glsl",
          "// left\n# ifndef LEFT\n#define LEFT\n#include \"right.glsl\"\nfloat left() { return 1.; }\n#endif\n"},
         {"right.glsl", "#ifndef RIGHT\n#define RIGHT\n#include \"left.glsl\"\nfloat right() { return 2.; }\n#endif\n"},
+        {"open.glsl", "uniform float uK;\nvarying vec3 vN;\n"},
         {"other.glsl", "#ifndef NOBODY\n#include \"other.glsl\"\n#endif\n"}};
     Options options;
     options.target = core450;
@@ -131,6 +132,14 @@ TEST(GlslPreprocess, IncludedFilesGuardThemselves) {
     Translated other;
     translate_texts(other, {{Stage::fragment, "#include \"other.glsl\"\nvoid main() {}\n"}}, options);
     EXPECT_EQ(other.count("include-cycle"), 1);
+    Translated open;
+    const std::string twice = "#include \"open.glsl\"\n#include \"open.glsl\"\n";
+    translate_texts(open, {{Stage::fragment, twice + "uniform float uK;\nvoid main() {}\n"}}, options);
+    ASSERT_EQ(open.count("declared-twice"), 3);
+    for (const Diagnostic& d : open.diagnostics.items())
+        EXPECT_EQ(d.help, open.sources.name(d.span.file) == "open.glsl"
+                              ? "'open.glsl' is included twice: write '#pragma once' as its first line"
+                              : "");
 }
 
 TEST(GlslPreprocess, DefinesFromOutsideWin) {

@@ -57,17 +57,19 @@ TEST_P(Screens, AreLegible) {
     }
 }
 
-class SmallestWindow : public Screens {};
+class SmallestWindow : public Screens {
+protected:
+    bool visible(std::string_view name) const {
+        return std::any_of(layout_.items().begin(), layout_.items().end(),
+                           [&](const Placed& item) { return item.name == name && item.visible; });
+    }
+};
 
 TEST_F(SmallestWindow, ANoticeOverTwoStatesLeavesSomeOfThePanelInTheSmallestWindow) {
     facts_.changed = true;
     states_and_a_notice();
     screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
     settle();
-    const auto visible = [&](std::string_view name) {
-        return std::any_of(layout_.items().begin(), layout_.items().end(),
-                           [&](const Placed& item) { return item.name == name && item.visible; });
-    };
     EXPECT_TRUE(visible("failure.store"));
     EXPECT_TRUE(visible("menu.open")) << "the panel";
     EXPECT_FALSE(visible("accuracy.swap")) << "once the notice is answered";
@@ -86,6 +88,34 @@ TEST_F(SmallestWindow, AFailureIsSeenBeforeErrorsInTheSmallestWindow) {
     settle();
     EXPECT_FALSE(has("failure.ok"));
     EXPECT_TRUE(has("problems.hide"));
+}
+
+TEST_F(SmallestWindow, WhatANoticeOffersIsSeenInTheSmallestWindow) {
+    memory_.failures.open = {
+        {"not saved: refraction-room.glib has changed since it was read: reload it, or save these "
+         "values to another file",
+         Failure::Remedy::reload}};
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    settle();
+    expect_legible("notice");
+    if (!screens_folder().empty()) keep_picture("long-notice-420x320-largest-light");
+    for (const char* button : {"failure.ok", "failure.reload", "failure.save as"})
+        EXPECT_TRUE(visible(button)) << button;
+    const Rect save = place("failure.save as");
+    frame({move(save.x + save.width / 2, save.y + save.height / 2)});
+    frame({button(true)});
+    frame({button(false)});
+    EXPECT_TRUE(requests_.save_as);
+}
+
+TEST_F(SmallestWindow, TheFieldForANameIsSeenWhole) {
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    browser();
+    for (const bool start : {false, true}) {
+        memory_.browser.start = start;
+        const Rect field = place("browser.name");
+        EXPECT_LE(field.y + field.height, 320 - .5F * ImGui::GetFontSize()) << (start ? "scenes" : "folders");
+    }
 }
 
 const Panel panels[] = {

@@ -129,6 +129,21 @@ TEST_F(Shell, MenusStayOnTheScreen) {
     }
 }
 
+// The frame that it is pressed in may stay for long: its contents are below it, so it is marked.
+TEST_F(UiTest, ATabIsMarkedInTheFrameThatShowsItsContents) {
+    for (const char* name : {"tools", "controls"}) {
+        const Rect tab = place(name);
+        frame({move(tab.x + tab.width / 2, tab.y + tab.height / 2)});
+        frame({button(true)});
+        frame({button(false)});
+        const auto mark = std::find_if(layout_.items().begin(), layout_.items().end(),
+                                       [](const Placed& placed) { return placed.name == "tab"; });
+        ASSERT_NE(mark, layout_.items().end());
+        EXPECT_EQ(mark->rect.x, tab.x) << name;
+        EXPECT_EQ(mark->rect.width, tab.width) << name;
+    }
+}
+
 TEST_F(Shell, ToolsAreInATabOfTheirOwn) {
     many_sliders();
     memory_.open = {"Costs", "Frame cost"};

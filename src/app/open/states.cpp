@@ -142,7 +142,7 @@ const Json* member(const Json& json, const std::string& name) {
 }  // namespace
 
 std::string snapshots_file(const std::string& scene) {
-    return std::filesystem::path(scene).replace_extension("snapshots.json").string();
+    return content::without_links(scene).replace_extension("snapshots.json").string();
 }
 
 std::array<bool, most_snapshots + 1> snapshots_there(const std::string& scene) {

@@ -55,7 +55,7 @@ StateDifference difference(const Setup& left, const Setup& right);
 
 inline constexpr int most_snapshots = ui::snapshot_count;
 
-// Returns "room.snapshots.json" for "room.glib".
+// Returns "room.snapshots.json" for "room.glib", and for links to it.
 std::string snapshots_file(const std::string& scene);
 
 // For each number from 1 to 9, whether the snapshot exists. All false if the file cannot be read.

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <span>
 
 #include "parser/text/words.h"
 #include "src/glsl/log/log.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/words.h"
 
 namespace snell::glsl::log {
@@ -117,8 +119,7 @@ bool hint_other_stage(std::string_view name, const Context& context, Diagnostic&
             for (const Declared& d : context.texts.declared(file)) {
                 if (d.name != name || d.qualifier.empty() || d.qualifier == "const") continue;
                 const bool given = d.qualifier == "in" || d.qualifier == "attribute";
-                const bool passed = d.qualifier == "out" || d.qualifier == "varying";
-                const std::string_view here = passed && d.qualifier == "out" ? "in" : d.qualifier;
+                const std::string_view here = d.qualifier == "out" ? "in" : d.qualifier == "in" ? "out" : d.qualifier;
                 diagnostic.help = given && other.stage == Stage::vertex
                                       ? hand_on(name)
                                       : fmt::format("declare it in this shader too: {} {} {};", here, d.type, name);
@@ -228,9 +229,10 @@ bool hint_no_type(std::string_view name, const Place& place, const Context& cont
     const std::string_view text = context.sources.text(place.file);
     for (std::size_t i = 1; i + 2 < read.size(); ++i) {
         if (read[i].line != place.line || text_of(text, read[i]) != name || text_of(text, read[i + 1]) != "=" ||
-            text_of(text, read[i + 2]) == "=" ||
-            std::string_view(";{}").find(text_of(text, read[i - 1])) == std::string_view::npos)
+            text_of(text, read[i + 2]) == "=")
             continue;
+        const bool loop = i > 1 && text_of(text, read[i - 2]) == "for";
+        if (std::string_view(loop ? "(" : ";{}").find(text_of(text, read[i - 1])) == std::string_view::npos) continue;
         diagnostic.help = "where it first gets a value, its type comes before it";
         const Span span{place.file, read[i].begin, read[i].end};
         if (context.stage)
@@ -241,23 +243,23 @@ bool hint_no_type(std::string_view name, const Place& place, const Context& cont
     return false;
 }
 
+// The text declares it, but not where it is seen here.
+bool hint_unseen(std::string_view name, const Place& place, const std::vector<Declared>& all, Diagnostic& diagnostic) {
+    const auto d = std::find_if(all.begin(), all.end(), [&](const Declared& other) { return other.name == name; });
+    if (d == all.end()) return false;
+    const bool later = d->begin > place.span.begin;
+    diagnostic.help = !later && d->function ? fmt::format("a function is called with its arguments: {}(…)", name)
+                      : later               ? std::string("declare it before its first use")
+                                            : std::string("a name holds only inside the { } where it is declared");
+    diagnostic.notes.push_back({span_of(place.file, *d), "declared here"});
+    return true;
+}
+
 void hint_undeclared(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic,
                      bool called = false) {
     if (!place.known) return;
     const std::vector<Declared>& all = context.texts.declared(place.file);
-    for (const Declared& d : all) {
-        if (d.name != name) continue;
-        const bool later = d.begin > place.span.begin;
-        if (!later && d.function) {
-            diagnostic.help = fmt::format("a function is called with its arguments: {}(…)", name);
-            diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
-            return;
-        }
-        diagnostic.help =
-            later ? "declare it before its first use" : "a name holds only inside the { } where it is declared";
-        diagnostic.notes.push_back({span_of(place.file, d), "declared here"});
-        return;
-    }
+    if (hint_unseen(name, place, all, diagnostic)) return;
     if (!called && hint_comment(name, place.file, context, diagnostic)) return;
     if (!called && hint_given(name, place.file, context, diagnostic)) return;
     const Declared* d = of_gl(name) ? nullptr : nearest_declared(name, all, called);
@@ -266,6 +268,11 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
         diagnostic.help = fmt::format("declare it: uniform {} {};", sampler, name);
         return;
     }
+    if (!called && (!d || !same_word(d->name, name)) && hint_other_stage(name, context, diagnostic)) return;
+    const bool fragment = context.stage && context.stage->stage == Stage::fragment;
+    const bool given = d && (d->qualifier == "uniform" || d->qualifier == "in" || d->qualifier == "const" ||
+                             (d->qualifier == "varying" && fragment));
+    if (given && !same_word(d->name, name) && hint_no_type(name, place, context, diagnostic)) return;
     if (d) {
         const bool unused = d->qualifier == "uniform" && d->uses == 0;
         diagnostic.help = fmt::format("did you mean '{}'?", d->name);
@@ -274,7 +281,6 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
             {span_of(place.file, *d), unused ? "this uniform is declared but never used" : "declared here"});
         return;
     }
-    if (hint_other_stage(name, context, diagnostic)) return;
     const std::string_view meaning = gstap_meaning(name, Stage::vertex);
     const LegacyName* legacy = legacy_name(meaning.empty() ? name : meaning);
     if (legacy && legacy->kind == LegacyKind::attribute && context.stage && context.stage->stage != Stage::vertex) {
@@ -286,8 +292,15 @@ void hint_undeclared(std::string_view name, const Place& place, const Context& c
     for (const auto& [theirs, ours] : shadertoy)
         if (name == theirs) diagnostic.help = fmt::format("Shadertoy's: declare and write 'uniform {};' here", ours);
     if (!diagnostic.help.empty()) return;
-    const bool color = same_word(name, "fragColor") && context.stage && context.stage->stage == Stage::fragment;
+    const bool color = same_word(name, "fragColor") && fragment;
     if (!color && !of_gl(name) && hint_no_type(name, place, context, diagnostic)) return;
+    // A name as uniforms have it is none of the language.
+    if (!called && name.size() > 1 && name[0] == 'u' && std::isupper(static_cast<unsigned char>(name[1])) != 0) {
+        const std::string type =
+            type_given(name, {}, {}, context.sources.text(place.file), context.texts.words(place.file));
+        diagnostic.help = fmt::format("declare it above main: uniform {} {};", type, name);
+        return;
+    }
     if (const std::string_view built_in = color ? "gl_FragColor" : nearest_builtin(name); !built_in.empty()) {
         diagnostic.help = fmt::format("did you mean '{}'?", built_in);
         suggest(diagnostic, name, built_in, context);
@@ -407,6 +420,14 @@ void hint_redeclared(std::string_view name, const Place& place, const Context& c
             diagnostic.notes.push_back({span_of(place.file, d), "first declared here"});
             return;
         }
+    if (context.twice(place.file)) {
+        diagnostic.help = included_twice(context.sources.name(place.file));
+        return;
+    }
+    for (const FileId file : context.stage ? context.stage->files : std::vector<FileId>())
+        for (const Declared& d : context.texts.declared(file))
+            if (file != place.file && d.name == name && d.depth == 0)
+                diagnostic.notes.push_back({span_of(file, d), "declared here, too"});
 }
 
 void hint_read_only(std::string_view name, const Place& place, const Context& context, Diagnostic& diagnostic) {
@@ -477,6 +498,8 @@ void hint(const Entry& entry, const Place& place, const Context& context, Diagno
             return hint_redeclared(name, place, context, diagnostic);
         case Kind::read_only:
             return hint_read_only(name, place, context, diagnostic);
+        case Kind::not_global:
+            return hint_not_global(place, context, diagnostic);
         case Kind::syntax:
             return hint_syntax(place, context, diagnostic);
         case Kind::end_of_file:

@@ -61,6 +61,10 @@ bool is_consequence_of(const Found& later, const Found& cause, const Context& co
 bool follows(const Found& later, const Found& cause, const Context& context) {
     if (later.entry.stage != cause.entry.stage) return false;
     if (is_syntax(cause.entry.kind) && later.entry.string >= 0) return true;
+    if (later.entry.kind == log::Kind::redeclared && cause.entry.kind == later.entry.kind &&
+        context.sources.name(later.place.file) == context.sources.name(cause.place.file) &&
+        context.twice(cause.place.file))
+        return true;
     if (about_names(later)) return later.entry.kind == cause.entry.kind && later.entry.a == cause.entry.a;
     if (is_consequence_of(later, cause, context)) return true;
     return later.entry.text == cause.entry.text && later.entry.string < 0;

@@ -1,6 +1,7 @@
 // Inside explain_log: what drivers write, read into one form; no GL here.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
@@ -30,6 +31,7 @@ enum class Kind : std::uint8_t {
     redeclared,  // a = name
     read_only,   // a = name, may be empty
     not_constant,
+    not_global,     // a = variable or qualifier
     syntax,         // a = unexpected token in the driver's words, may be empty
     end_of_file,    // in the middle of something
     if_unfinished,  // #if without #endif
@@ -114,7 +116,7 @@ private:
 
 // The brace that is never closed, judged by indentation; npos if all are.
 std::size_t unclosed_brace(std::string_view text);
-// The parenthesis that a block begins or ends within; npos if there is none.
+// The parenthesis that a block begins or ends within, or the text; npos if there is none.
 std::size_t unclosed_parenthesis(std::string_view text);
 
 // ---- words for people ----------------------------------------------------------------------------------
@@ -148,9 +150,16 @@ struct Context {
     Span where;
     const Sources& sources;
     Texts& texts;
+
+    // Whether the stage includes the text more than once.
+    bool twice(FileId file) const {
+        const auto named = [&](FileId other) { return sources.name(other) == sources.name(file); };
+        return stage && std::count_if(stage->files.begin(), stage->files.end(), named) > 1;
+    }
 };
 
-Place place(const Entry& entry, const Context& context);
+// An entry that blames what follows an unfinished text turns into one about the end of that text.
+Place place(Entry& entry, const Context& context);
 // Gives an entry about unnumbered(text) the source string and the line that `text` has there.
 void number(Entry& entry, std::string_view text);
 
@@ -159,11 +168,14 @@ std::string message(const Entry& entry, const Place& place, const Context& conte
 // Both for operands whose types are known, whatever the driver said.
 std::string message(const Misfit& misfit);
 std::string help(const Misfit& misfit);
+// Whether a declaration or statement may begin at `offset` of a text.
+bool finished(std::string_view text, const std::vector<Word>& words, std::uint32_t offset);
 // Fills help and notes of the diagnostic.
 void hint(const Entry& entry, const Place& place, const Context& context, Diagnostic& diagnostic);
 
 // Those for what the grammar does not expect.
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic);
+void hint_not_global(const Place& place, const Context& context, Diagnostic& diagnostic);
 void hint_end_of_file(const Place& place, const Context& context, Diagnostic& diagnostic);
 
 // The stage that a message names, if any.

@@ -1,6 +1,7 @@
 // From the place that a driver names in the translated text to the user's own.
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 #include "parser/text/words.h"
@@ -190,6 +191,50 @@ Place place_of_name(const Entry& entry, const Context& context) {
     return found;
 }
 
+// Whether only directives stand between the place and an #include, or the beginning of an included text.
+bool follows_include(const Entry& entry, const Place& found, const Context& context) {
+    const std::string_view text = context.sources.text(found.file);
+    bool follows = entry.string > 0;
+    for (const Word& word : context.texts.words(found.file)) {
+        if (word.begin >= found.span.begin) break;
+        follows = word.directive && (follows || text_of(text, word) == "include");
+    }
+    return follows;
+}
+
+// Drivers blame what follows a text that is not finished: such an entry becomes one about the end of that text.
+void blame_unfinished(Entry& entry, Place& found, const Context& context) {
+    const auto file_of = [&](int string) { return context.stage->files[static_cast<std::size_t>(string)]; };
+    std::map<int, int> before;  // the texts that begin before the entry, and the last line of each before it
+    int last = -1;
+    bool numbered = false;
+    for (const Row& row : rows_of(context.stage->text)) {
+        numbered = numbered || row.line == 0;  // what comes before is the translation's own
+        if (!numbered || row.line == 0 || words(row.text).empty()) continue;
+        if (row.string == entry.string && row.line == entry.line && entry.kind != Kind::end_of_file) break;
+        if (static_cast<std::size_t>(row.string) >= context.stage->files.size()) continue;
+        before[row.string] = row.line;
+        if (row.string != entry.string) last = row.string;
+    }
+    const auto end_of = [&](int string) {
+        const Word* end = nullptr;
+        for (const Word& word : context.texts.words(file_of(string)))
+            if (!word.directive && word.line <= before[string]) end = &word;
+        return end;
+    };
+    const Word* end = last >= 0 && follows_include(entry, found, context) ? end_of(last) : nullptr;
+    if (end && finished(context.sources.text(file_of(last)), context.texts.words(file_of(last)), end->end))
+        end = nullptr;
+    if (unclosed_brace(context.stage->text) != std::string_view::npos)
+        for (const auto& [string, line] : before)
+            if (string > 0 && unclosed_brace(context.sources.text(file_of(string))) != std::string_view::npos)
+                end = end_of(last = string);
+    if (!end) return;
+    const FileId file = file_of(last);
+    entry.kind = Kind::end_of_file;
+    found = {.file = file, .line = end->line, .span = {file, end->begin, end->end}, .known = true};
+}
+
 }  // namespace
 
 void number(Entry& entry, std::string_view text) {
@@ -197,11 +242,12 @@ void number(Entry& entry, std::string_view text) {
     if (entry.string < 0 || entry.line < 1 || rows.empty()) return;
     std::size_t at = std::min(static_cast<std::size_t>(entry.line), rows.size()) - 1;
     while (rows[at].line == 0 && at + 1 < rows.size()) ++at;
+    while (rows[at].line == 0 && at > 0) --at;  // nothing comes behind the last #include
     entry.string = rows[at].string;
     entry.line = rows[at].line;
 }
 
-Place place(const Entry& entry, const Context& context) {
+Place place(Entry& entry, const Context& context) {
     if (!context.stage || entry.string < 0 || entry.line < 1) return place_of_name(entry, context);
     Place found{.file = context.where.file, .span = context.where};
     if (static_cast<std::size_t>(entry.string) >= context.stage->files.size()) return found;
@@ -215,9 +261,11 @@ Place place(const Entry& entry, const Context& context) {
         found.span = {file, last.begin, last.end};
         found.line = last.line;
         found.known = true;
-        return found;
+    } else {
+        place_on_line(entry, context, found);
     }
-    place_on_line(entry, context, found);
+    if (entry.kind == Kind::syntax || entry.kind == Kind::end_of_file || entry.kind == Kind::not_global)
+        blame_unfinished(entry, found, context);
     return found;
 }
 

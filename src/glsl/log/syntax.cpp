@@ -29,7 +29,7 @@ bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diag
         meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
                                "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
                                "bvec4",       "mat2",  "mat3",    "mat4",    "sampler1D", "sampler2D", "sampler3D",
-                               "samplerCube", "const", "uniform", "varying", "attribute", "return"});
+                               "samplerCube", "const", "uniform", "varying", "attribute", "return",    "struct"});
     }
     if (meant == type || (meant.empty() && sizes.empty() && (!first || builtin_type(type)))) return false;
     diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
@@ -42,6 +42,11 @@ bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diag
 bool ends_operand(std::string_view word) {
     const char c = word.empty() ? ' ' : word.back();
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
+}
+
+bool is_one_of(std::string_view word, std::string_view list) {
+    const std::vector<std::string_view> all = split(list);
+    return ranges::find(all, word) != all.end();
 }
 
 bool foreign_character(std::string_view word) {
@@ -124,27 +129,79 @@ bool hint_macro(const Around& a, const Place& place, Diagnostic& diagnostic) {
     return false;
 }
 
-bool hint_semicolon(const Around& a, const Place& place, Diagnostic& diagnostic) {
-    if (a.at == 0 || a.parens != 0 || a.word(a.at) == "{" || !ends_operand(a.before())) return false;
+// Whether the '}' before `at` ends a structure or a block of variables, which a ';' follows.
+bool ends_structure(const Around& a) {
+    const std::size_t open = a.before() == "}" ? last_block(a) : a.all.size();
+    if (open == 0 || open >= a.all.size()) return false;
+    const std::string_view kind = open > 1 ? a.word(open - 2) : "";
+    return kind == "struct" || a.word(open - 1) == "struct" || kind == "uniform" || kind == "in" || kind == "out";
+}
+
+// Tells of a ';' that is missing before `at`, in place of the message if `instead`.
+void tell_semicolon(const Around& a, const Place& place, bool instead, Diagnostic& diagnostic) {
     const Word& before = a.all[a.at - 1];
-    if (before.directive) return false;
-    const bool new_line = before.line < a.all[a.at].line;
-    if (!new_line && a.word(a.at) != "}") return false;
-    diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
-                               : std::string("a ';' is missing before the '}'");
     const Span end{place.file, before.end - 1, before.end};
-    if (constexpr std::string_view bare = "syntax error ("; diagnostic.message.starts_with(bare)) {
-        diagnostic.message.replace(0, bare.size() - 2, "a ';' is missing after this");
+    constexpr std::string_view missing = "a ';' is missing after this";
+    if (instead) {
+        diagnostic.message.replace(0, diagnostic.message.find(" ("), missing);
         diagnostic.span = end;
-        diagnostic.help.clear();
+        diagnostic.help = a.before() == "}" ? "the '}' of a struct or a block of variables is followed by a ';'" : "";
     } else {
-        diagnostic.notes.push_back({end, "a ';' is missing after this"});
+        diagnostic.notes.push_back({end, std::string(missing)});
     }
     diagnostic.fixes = {{{place.file, before.end, before.end}, ";"}};
+}
+
+// `float f(float x)` without its '{': what follows is a statement and no declaration that stands outside of functions.
+bool hint_body(const Around& a, Diagnostic& diagnostic) {
+    if (a.depth > 0 || a.before() != ")" || a.parens != 0 || !a.all[a.at].name) return false;
+    std::size_t open = a.at - 1;
+    for (int count = 0; open > 0; --open) {
+        count += a.word(open) == ")" ? 1 : a.word(open) == "(" ? -1 : 0;
+        if (count == 0) break;
+    }
+    if (open < 2 || !a.all[open - 1].name || !a.all[open - 2].name) return false;
+    const std::string_view here = a.word(a.at);
+    const bool declares = builtin_type(here) || is_one_of(here, "void uniform varying attribute in out const struct");
+    const bool local = a.at + 2 < a.all.size() && a.word(a.at + 2) != "(" && builtin_type(here);
+    if (declares && !local) return false;
+    diagnostic.help = fmt::format("a '{{' is missing before '{}'", here);
     return true;
 }
 
-bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
+bool hint_semicolon(Around a, const Place& place, Diagnostic& diagnostic) {
+    const int line = a.all[a.at].line;
+    const bool opens = a.word(a.at) == "{";
+    while (a.at > 0 && a.all[a.at - 1].directive) {
+        // What comes before the end of a branch may not be compiled.
+        if (const std::string_view word = a.word(--a.at); word == "endif" || word == "else" || word == "elif")
+            return false;
+    }
+    // Names on the next line may be variables of the structure: what follows them is blamed.
+    Around earlier = a;
+    while (earlier.at > 0 && earlier.all[earlier.at - 1].name) --earlier.at;
+    if (ends_structure(earlier) && earlier.all[earlier.at - 1].line < earlier.all[earlier.at].line) a = earlier;
+    const bool structure = ends_structure(a);
+    if (a.at == 0 || a.parens != 0 || opens || !(structure || ends_operand(a.before()))) return false;
+    const Word& before = a.all[a.at - 1];
+    const bool new_line = before.line < line;
+    if (!new_line && !structure && a.word(a.at) != "}") return false;
+    diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
+                               : std::string("a ';' is missing before the '}'");
+    tell_semicolon(a, place, structure || diagnostic.message.starts_with("syntax error ("), diagnostic);
+    return true;
+}
+
+// A brace before the place that is never closed.
+bool hint_brace(const Place& place, std::string_view text, Diagnostic& diagnostic) {
+    const std::size_t brace = unclosed_brace(text);
+    if (brace == std::string_view::npos || brace >= place.span.begin) return false;
+    const auto offset = static_cast<std::uint32_t>(brace);
+    diagnostic.notes.push_back({{place.file, offset, offset + 1}, "this '{' is never closed"});
+    return true;
+}
+
+bool hint_brackets(const Around& a, const Place& place, Diagnostic& diagnostic) {
     const std::string_view here = a.word(a.at);
     if (a.loop && here != ";" && here != "{") {
         diagnostic.help = "the three parts of a 'for' are separated by ';'";
@@ -156,6 +213,7 @@ bool hint_brackets(const Around& a, Diagnostic& diagnostic) {
         diagnostic.help = "there are more ')' than '('";
     } else if (here == "{" && a.before() == ")" && a.depth > 0) {
         diagnostic.help = "a function cannot be defined inside another one: is a '}' missing above?";
+        hint_brace(place, a.text, diagnostic);
     } else if (here == "{" && a.depth == 0 && ends_operand(a.before()) && a.before() != ")") {
         diagnostic.help = fmt::format("a function needs parentheses: {}()", a.before());
     } else {
@@ -172,6 +230,18 @@ bool hint_character(Span span, std::string_view text, Diagnostic& diagnostic) {
     diagnostic.message.replace(0, diagnostic.message.find(" ("), "a character that GLSL does not know");
     diagnostic.help = "was it pasted from elsewhere? type it again";
     return true;
+}
+
+// Whether the word at `at` follows an operand within an expression: an operator is missing.
+bool second_operand(const Around& a, bool number) {
+    if (a.at < 2 || !ends_operand(a.before()) || a.all[a.at - 1].line != a.all[a.at].line) return false;
+    if (number) return a.parens > 0;
+    if (a.depth == 0 && a.before() == ")") return false;  // of a layout
+    if (!a.all[a.at].name || builtin_type(a.word(a.at)) || is_one_of(a.word(a.at - 2), "( ; { } ,")) return false;
+    bool value = a.parens > 0;
+    for (std::size_t i = a.at; i-- > 0 && !value && !is_one_of(a.word(i), "; { }");)
+        value = a.word(i) == "=" || (a.word(i) == "return" && i + 1 < a.at);
+    return value && a.before() != "return";
 }
 
 // Two operands, or a sign too many, where one word says what was meant.
@@ -195,12 +265,36 @@ bool hint_words(const Around& a, const Place& place, Diagnostic& diagnostic) {
         diagnostic.fixes = {{{place.file, a.all[a.at].begin, a.all[a.at].begin}, "= "}};
     } else if (a.all[a.at].name && next == "(" && a.depth == 0 && (before == ";" || before == "}" || a.at == 0)) {
         diagnostic.help = fmt::format("the type of what it returns comes before a function's name: float {}(…)", here);
-    } else if (number && a.parens > 0 && ends_operand(before) && a.all[a.at - 1].line == a.all[a.at].line) {
-        diagnostic.help = fmt::format("an operator or a ',' is missing before '{}'", here);
+    } else if (second_operand(a, number)) {
+        diagnostic.help = builtin_function(before)
+                              ? fmt::format("what a function is given stands in ( ): {}(…)", before)
+                              : fmt::format("an operator or a ',' is missing before '{}'", here);
     } else {
         return false;
     }
     return true;
+}
+
+// Words and signs of other languages.
+bool hint_foreign(const Around& a, Diagnostic& diagnostic) {
+    const std::string_view here = a.word(a.at), next = a.word(a.at + 1), before = a.before();
+    constexpr std::pair<std::string_view, std::string_view> words[] = {
+        {"and", "'&&' joins conditions"},
+        {"or", "'||' joins conditions"},
+        {"not", "'!' turns a condition round"},
+        {"then", "remove 'then': what is done follows the condition"}};
+    for (const auto& [word, help] : words)
+        if (here == word || before == word) diagnostic.help = help;
+    if (here == ":" && next == "=") diagnostic.help = "'=' gives a value";
+    if (here == "*" && before == "*") diagnostic.help = "pow(x, y) is a power";
+    if (here == "version" && a.at == 0) diagnostic.help = fmt::format("a '#' is missing: #version {}", next);
+    for (const std::string_view word : {"if", "while", "for", "switch"})
+        if (before == word && here != "(") {
+            diagnostic.message.replace(0, diagnostic.message.find(" ("),
+                                       fmt::format("parentheses are missing after '{}'", word));
+            diagnostic.help = fmt::format("write {} (…)", word);
+        }
+    return !diagnostic.help.empty();
 }
 
 // A '?' that chooses nothing is a template's.
@@ -217,6 +311,18 @@ bool hint_template(const Around& a, const Place& place, Diagnostic& diagnostic) 
 
 }  // namespace
 
+void hint_not_global(const Place& place, const Context& context, Diagnostic& diagnostic) {
+    diagnostic.help = "declare it above the function";
+    if (place.known && hint_brace(place, context.sources.text(place.file), diagnostic))
+        diagnostic.help = "is a '}' missing above?";
+}
+
+bool finished(std::string_view text, const std::vector<Word>& words, std::uint32_t offset) {
+    const Around a = around(text, words, offset);
+    const std::string_view last = a.before();
+    return last.empty() || last == ";" || last == "{" || (last == "}" && !ends_structure(a));
+}
+
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
     const std::string_view text = context.sources.text(place.file);
@@ -224,8 +330,9 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
     if (a.at < a.all.size()) {
         if (hint_character(a.span(place.file, a.at), text, diagnostic)) return;
         if (hint_template(a, place, diagnostic)) return;
-        if (hint_macro(a, place, diagnostic) || hint_semicolon(a, place, diagnostic)) return;
-        if (hint_words(a, place, diagnostic)) return;
+        if (hint_macro(a, place, diagnostic) || hint_body(a, diagnostic)) return;
+        if (hint_semicolon(a, place, diagnostic)) return;
+        if (hint_foreign(a, diagnostic) || hint_words(a, place, diagnostic)) return;
         const bool two_names =
             a.at > 0 && a.all[a.at - 1].name && a.all[a.at].name && a.all[a.at - 1].line == a.all[a.at].line;
         const std::string_view ahead = a.at > 1 ? a.word(a.at - 2) : std::string_view();
@@ -233,13 +340,13 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
                            ranges::none_of(context.texts.declared(place.file),
                                            [&](const Declared& d) { return d.name == a.before(); });
         if (two_names && hint_unknown_type(a.before(), a.span(place.file, a.at - 1), first, diagnostic)) return;
-        if (hint_brackets(a, diagnostic)) return;
+        if (a.all[a.at].name && a.at + 1 < a.all.size() && a.all[a.at + 1].name &&
+            a.all[a.at + 1].line == a.all[a.at].line &&
+            hint_unknown_type(a.word(a.at), a.span(place.file, a.at), false, diagnostic))
+            return;
+        if (hint_brackets(a, place, diagnostic)) return;
     }
-    const std::size_t brace = unclosed_brace(text);
-    if (brace != std::string_view::npos && brace < place.span.begin) {
-        const auto offset = static_cast<std::uint32_t>(brace);
-        diagnostic.notes.push_back({{place.file, offset, offset + 1}, "this '{' is never closed"});
-    } else if (a.word(a.at) == "}" && a.depth <= 0) {
+    if (!hint_brace(place, text, diagnostic) && a.word(a.at) == "}" && a.depth <= 0) {
         diagnostic.help = "there are more '}' than '{'";
         if (const std::size_t block = last_block(a); block < a.all.size())
             diagnostic.help +=
@@ -256,6 +363,9 @@ void hint_end_of_file(const Place& place, const Context& context, Diagnostic& di
         // Some compilers stop at the first character that they do not know.
         for (const Word& w : context.texts.words(place.file))
             if (hint_character({place.file, w.begin, w.end}, text, diagnostic)) return;
+        const Around a = around(text, context.texts.words(place.file), place.span.end);
+        if (ends_structure(a) || (ends_operand(a.before()) && a.before() != ")" && a.parens == 0))
+            return tell_semicolon(a, place, true, diagnostic);
         diagnostic.help = "the last statement lacks its end: a ';', a ')' or a body in { }";
         return;
     }

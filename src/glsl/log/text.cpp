@@ -183,7 +183,7 @@ std::size_t unclosed_parenthesis(std::string_view text) {
         if (t == ")" && !open.empty()) open.pop_back();
         if ((t == "{" || t == "}") && !open.empty()) return open.back();
     }
-    return std::string_view::npos;
+    return open.empty() ? std::string_view::npos : open.back();
 }
 
 }  // namespace snell::glsl::log

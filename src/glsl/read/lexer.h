@@ -50,6 +50,8 @@ struct IncludeName {
 };
 // Those in comments and in branches that are never compiled count, too. Lines that are no directives do no harm.
 std::vector<IncludeName> included_names(std::string_view text);
+// What helps where a text of that name declares its names again.
+std::string included_twice(std::string_view name);
 
 // Directives, macros and includes: from source texts to the tokens that count.
 

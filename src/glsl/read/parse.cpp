@@ -67,6 +67,7 @@ void Parser::skip_balanced() {
 }
 
 void Parser::skip_to_semicolon() {
+    const int first = p_;
     while (!at_end() && !is(";") && !is("}")) {
         if (is("(") || is("[") || is("{")) {
             skip_balanced();
@@ -75,12 +76,16 @@ void Parser::skip_to_semicolon() {
         }
     }
     accept(";");
+    leave_old_words(first);
 }
 
 void Parser::skip_declaration(int first) {
     give_up();
     skip_to_declaration();
-    // Left as it is; but of words that the driver lacks, it would complain in place of what is wrong.
+    leave_old_words(first);
+}
+
+void Parser::leave_old_words(int first) {
     for (int k = first; k < p_; ++k) {
         const std::string_view word = u_.at(k).text;
         if (word != "attribute" && word != "varying") continue;

@@ -66,6 +66,9 @@ private:
     void give_parameter(int name, const Type& type);
     void skip_declaration(int first);
     void skip_to_declaration();  // the next one
+    // Turns words since `first` that the driver lacks into its own: it would complain of them in place of what is
+    // wrong.
+    void leave_old_words(int first);
 
     // statements
     void statement();

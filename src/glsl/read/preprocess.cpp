@@ -473,6 +473,11 @@ void Preprocessor::include(std::string_view rest, std::size_t start, std::size_t
 
 }  // namespace
 
+std::string included_twice(std::string_view name) {
+    return "'" + std::string(name.substr(name.rfind('/') + 1)) +
+           "' is included twice: write '#pragma once' as its first line";
+}
+
 void preprocess(Unit& unit, FileId file, Sources& sources, const Options& options, Diagnostics& diagnostics) {
     if (unit.verbatim) {
         Diagnostics first;

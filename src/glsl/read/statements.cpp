@@ -48,6 +48,7 @@ bool Parser::starts_declaration() const {
 void Parser::local_declaration() {
     const int first = p_, begin = grown();
     const Qualifiers q = qualifiers();
+    leave_old_words(first);
     const std::optional<Type> type = type_specifier();
     if (!type) {
         give_up();

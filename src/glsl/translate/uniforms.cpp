@@ -60,8 +60,12 @@ void drop_repeated(Program& program, Unit& u) {
         const auto [it, fresh] = seen.emplace(g.name, &g);
         if (fresh || it->second->qualifiers.storage != s || !it->second->type.same(g.type) || g.init_first >= 0)
             continue;
+        const Span first = u.span(it->second->name_token), here = u.span(g.name_token);
+        const std::string_view file = program.sources.name(here.file);
+        const bool again = first.file != here.file && file == program.sources.name(first.file);
         program.warn(u, g.name_token, "declared-twice",
-                     "'" + std::string(g.name) + "' is declared twice: once is enough");
+                     "'" + std::string(g.name) + "' is declared twice: once is enough",
+                     again ? included_twice(file) : std::string());
         g.removed = true;
         Global& kept = *it->second;
         kept.uses.insert(kept.uses.end(), g.uses.begin(), g.uses.end());

@@ -272,16 +272,28 @@ void show_opened() {
     if (top < scroll || bottom > scroll + height) ImGui::SetScrollY(std::min(top, bottom - height));
 }
 
-bool tab(const char* title, bool chosen, Layout& layout, const char* name) {
+std::size_t tabs(const std::array<TabName, 2>& names, std::size_t chosen, Layout& layout) {
+    std::array<ImRect, 2> places;
     ImGui::PushStyleColor(ImGuiCol_Button, {0, 0, 0, 0});
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(chosen ? ImGuiCol_Text : ImGuiCol_TextDisabled));
-    const bool pressed = button(title, layout, name);
+    ImGui::PushStyleColor(ImGuiCol_Text, {0, 0, 0, 0});  // drawn below
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) ImGui::SameLine(0, 0);
+        if (button(names[i].title, layout, names[i].name)) chosen = i;
+        places[i] = {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    }
     ImGui::PopStyleColor(2);
-    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    // What follows is that tab's already: so is the mark.
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        list.AddText({places[i].Min.x + padding.x, places[i].Min.y + padding.y},
+                     ImGui::GetColorU32(i == chosen ? ImGuiCol_Text : ImGuiCol_TextDisabled), names[i].title);
+    const ImRect& tab = places[chosen];
     const float line = std::round(ImGui::GetFontSize() * .15F);
-    if (chosen)
-        ImGui::GetWindowDrawList()->AddRectFilled({from.x, to.y - line}, to, ImGui::GetColorU32(palette().accent));
-    return pressed;
+    list.AddRectFilled({tab.Min.x, tab.Max.y - line}, tab.Max, ImGui::GetColorU32(palette().accent));
+    layout.place("tab", {tab.Min.x, tab.Max.y - line, tab.GetWidth(), line});
+    ImGui::Separator();
+    return chosen;
 }
 
 bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::size_t count) {

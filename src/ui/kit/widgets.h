@@ -1,6 +1,7 @@
 // Widgets that Dear ImGui lacks. They fill the width that is available.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <set>
@@ -77,8 +78,12 @@ void keep_in_view(bool open);
 // Call where the contents of a section end: section() does, and the end of the scrolling area must.
 void show_opened();
 
-// Draws the title of a tab. Returns true if the user chose it.
-bool tab(const char* title, bool chosen, Layout& layout, const char* name);
+struct TabName {
+    const char *title, *name;
+};
+// Draws the titles of two tabs. Returns the number of the chosen one, which is marked in the frame that it is pressed
+// in: its contents follow, and at load the next frame may be late.
+std::size_t tabs(const std::array<TabName, 2>& names, std::size_t chosen, Layout& layout);
 
 struct SliderRange : Track {
     // Set by slider(): the user asked for the initial value; what the last press did was taken back.

@@ -318,11 +318,10 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
 
 // The two pages as tabs.
 void pages(const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
-    if (tab("Scenes", memory.browser.start, layout, "browser.start")) memory.browser.start = true;
-    ImGui::SameLine(0, 0);
-    if (tab("Folders", !memory.browser.start, layout, "browser.folders") && memory.browser.start)
-        open_browser(listing.folder, memory, requests);
-    ImGui::Separator();
+    const bool start = tabs({{{"Scenes", "browser.start"}, {"Folders", "browser.folders"}}},
+                            memory.browser.start ? 0 : 1, layout) == 0;
+    if (memory.browser.start && !start) open_browser(listing.folder, memory, requests);
+    if (start) memory.browser.start = true;
 }
 
 }  // namespace
@@ -383,8 +382,9 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     const bool two_rows =
         check_box_width("All files") + button_width("Cancel") + button_width("Open") + 2 * em > size.x - 2 * em;
     const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2);
-    // In the lowest windows all of it scrolls.
-    const float height = std::max(ImGui::GetContentRegionAvail().y - below, 7 * em);
+    // In the lowest windows all of it scrolls; the field for the name is seen first.
+    const float room = ImGui::GetContentRegionAvail().y;
+    const float height = std::max(room - below, std::min(7 * em, room - ImGui::GetFrameHeightWithSpacing()));
     const float side = !browser.start && size.x > 40 * em ? 11.5F * em : 0;
     if (side > 0) {
         ImGui::BeginChild("##places", {side, height});

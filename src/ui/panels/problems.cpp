@@ -234,14 +234,24 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(room, 1.0F)});
     if (ImGui::Begin(fmt::format("##message{}", index).c_str(), nullptr,
                      (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::PushTextWrapPos(width - buttons_width - 2 * margin);
+        // What does not fit scrolls, so that the buttons are seen.
+        const float wrap = width - buttons_width - 3 * margin;
+        const float height = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap).y;
+        float& below = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("below"));
+        const float rest = std::max(room - below - 2 * ImGui::GetStyle().WindowPadding.y, ImGui::GetFrameHeight());
+        const bool scrolls = height > rest && below > 0;
+        if (scrolls) ImGui::BeginChild("text", {wrap + margin, rest});
+        if (!scrolls) ImGui::AlignTextToFramePadding();
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
         ImGui::PushStyleColor(ImGuiCol_Text, color);
         ImGui::TextUnformatted(text.data(), text.data() + text.size());
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
+        if (scrolls) ImGui::EndChild();
+        const float bottom_of_text = ImGui::GetItemRectMax().y;
         stand(text, memory);
         buttons();
+        below = ImGui::GetCursorScreenPos().y - bottom_of_text;
     }
     bottom -= ImGui::GetWindowHeight() + margin * .5F;
     ImGui::End();
