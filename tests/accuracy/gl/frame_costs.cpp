@@ -31,10 +31,10 @@ protected:
     void picture(FrameCosts& costs) {
         const double begin = accuracy::wall_milliseconds();
         Frame frame{.time = 0, .view = view_, .controls = document_->controls, .paced = true};
-        frame.after = costs.begin(1);
+        frame.after = costs.begin(1, true);
         document_->runtime->draw(frame, {target_.framebuffer.get(), size, size});
         gl::finish();
-        costs.end(last_ = accuracy::wall_milliseconds() - begin);
+        costs.end(last_ = accuracy::wall_milliseconds() - begin, true);
         costs.facts(document_.get());
     }
 
