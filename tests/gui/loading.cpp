@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "tests/gui/desk.h"
+#include "tests/gui/x11.h"
 
 namespace snell::test {
 namespace {
