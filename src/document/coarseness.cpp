@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace snell {
 
@@ -58,10 +59,10 @@ Strips::Strips(int width, int height, double milliseconds) : width_(width), heig
 PixelRect Strips::next() const {
     constexpr int narrowest = 8;
     if (pixels_ >= static_cast<double>(width_) * height_) return {0, 0, width_, height_};
-    const int rows = static_cast<int>(pixels_ / width_) / 2 * 2;
+    const int rows = static_cast<int>(pixels_ / width_) / block * block;
     if (left_ == 0 && rows > 0) return {0, bottom_, width_, std::min(rows, height_ - bottom_)};
-    const int columns = std::max(static_cast<int>(pixels_ / 4) * 2, narrowest);
-    return {left_, bottom_, std::min(columns, width_ - left_), std::min(2, height_ - bottom_)};
+    const int columns = std::max(static_cast<int>(pixels_ / block / block) * block, narrowest);
+    return {left_, bottom_, std::min(columns, width_ - left_), std::min(block, height_ - bottom_)};
 }
 
 bool Strips::draw(const std::function<double(const PixelRect&)>& timed) {
@@ -75,13 +76,24 @@ bool Strips::draw(const std::function<double(const PixelRect&)>& timed) {
             left_ = 0;
             bottom_ += strip.height;
         }
-        const double fit = static_cast<double>(strip.width) * strip.height * aim / std::max(milliseconds, 1e-3);
+        const double pixels = static_cast<double>(strip.width) * strip.height;
+        find_fixed(pixels, milliseconds);
+        // Smaller strips would only be more of what does not grow with them, which so is a third of each at most.
+        const double fit = pixels * (std::max(aim, 3 * fixed_) - fixed_) / std::max(milliseconds - fixed_, 1e-3);
         pixels_ = std::min(std::clamp(fit, pixels_ * slower, pixels_ * quicker), most_);
     }
     return bottom_ >= height_;
 }
 
-double Strips::share() const { return (bottom_ + 2. * left_ / width_) / height_; }
+// By the last two strips, if one is larger by far: on a busy machine each waits for a processor.
+void Strips::find_fixed(double pixels, double milliseconds) {
+    const auto [before, took] = std::exchange(last_, {pixels, milliseconds});
+    if (std::abs(before - pixels) < .1 * std::max(before, pixels) || before == 0) return;
+    const double fixed = (milliseconds * before - took * pixels) / (before - pixels);
+    fixed_ = std::clamp(fixed, 0., std::min(milliseconds, took));
+}
+
+double Strips::share() const { return (bottom_ + static_cast<double>(block) * left_ / width_) / height_; }
 
 namespace {
 

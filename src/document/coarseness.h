@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "src/runtime/runtime.h"
 
@@ -73,12 +74,17 @@ public:
     double share() const;
 
 private:
-    // It begins at even numbers, since drivers draw two rows and two columns at a time; but the last one has what is
-    // left.
+    // It begins and ends at edges of blocks; but the last one has what is left.
     PixelRect next() const;
 
+    void find_fixed(double pixels, double milliseconds);
+
+    static constexpr int block = 4;  // pixels along a side: Mesa's llvmpipe shades all of one that is seen in part
+
     int width_, height_;
-    double most_, pixels_;  // of a strip; of the next one
+    double most_, pixels_;            // of a strip; of the next one
+    double fixed_ = 0;                // milliseconds that a strip takes, however small it is
+    std::pair<double, double> last_;  // pixels and milliseconds of the last strip
     int left_ = 0, bottom_ = 0;
 };
 
