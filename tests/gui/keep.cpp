@@ -190,6 +190,34 @@ TEST_F(Keep, ValuesOverThePicture) {
     EXPECT_EQ(white(), 0);
     choose("view", "labels");
     EXPECT_GT(white(), 100);
+    // On a light picture, they are on a dark plate.
+    save("scene.glib",
+         scene.substr(0, scene.find("Background 0 0 0")) + "Background 1 1 1" + scene.substr(scene.find("\r\nVertex")));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    const std::array<double, 4> area = state()["scene"];
+    const Picture picture = look();
+    int dark = 0;
+    for (int y = static_cast<int>(area[3]) - 60; y < static_cast<int>(area[3]); ++y)
+        for (int x = 0; x < 200; ++x) dark += picture.at(x, y).red < 128;
+    EXPECT_GT(dark, 2000);
+}
+
+TEST_F(Keep, TheControlsOfTimeStayWhenNoValueNeedsThem) {
+    // Slow enough to be drawn by a program for its values.
+    save("paint.frag",
+         "#version 330 compatibility\nuniform float Timer, uRed, uGreen;\nvoid main() {\nfloat sum = 0.;\n"
+         "for (int i = 0; i < 60; ++i) sum += sin(float(i) * gl_FragCoord.x);\n"
+         "gl_FragColor = vec4(uRed + 1e-9 * sum, uGreen > .5 ? Timer : .1, .2, 1.);\n}\n");
+    open("scene.glib");
+    click("play");
+    ASSERT_TRUE(wait([](const json& s) { return s["counters"]["specialised"] > 0; })) << "there is a program without";
+    user("mousemove 100 100");
+    EXPECT_TRUE(idle());
+    EXPECT_TRUE(state()["widgets"].contains("play"));
+    user("key ctrl+s");
+    settle();
+    EXPECT_NE(state()["notice"].get<std::string>().find("moved objects"), std::string::npos) << state()["notice"];
 }
 
 TEST_F(Keep, TimeIsHeldSteppedAndScrubbed) {
