@@ -140,6 +140,17 @@ TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {
     click("snapshot 1");
     ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == .5; }));
     EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .4);
+    // Its menu deletes it, and Ctrl+Z brings the file back.
+    const std::string before = bytes("scene.snapshots.json");
+    click("snapshot 1", .5, 3);
+    click("snapshot 1.delete");
+    settle();
+    EXPECT_EQ(json::parse(bytes("scene.snapshots.json"), nullptr, false), json::object());
+    EXPECT_FALSE(state()["widgets"].contains("snapshot 1.stored"));
+    user("key ctrl+z");
+    settle();
+    EXPECT_EQ(bytes("scene.snapshots.json"), before);
+    EXPECT_TRUE(state()["widgets"].contains("snapshot 1.stored"));
 }
 
 TEST_F(Keep, TheCopiedCommandDrawsThePictureOfTheWindow) {
