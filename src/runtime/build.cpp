@@ -136,6 +136,17 @@ LinkedProgram* Runtime::Impl::link(Index program, runtime::Variant variant, Load
     return linked;
 }
 
+namespace {
+
+bool tells_time(const ActiveUniform& uniform) {
+    return uniform.system && ranges::any_of(glsl::system_names(), [&](const glsl::SystemName& known) {
+               const bool time = known.system == glsl::System::timer || known.system == glsl::System::time;
+               return time && known.name == uniform.name;
+           });
+}
+
+}  // namespace
+
 // Programs that no draw uses are compiled too, because the user wants their sliders and errors.
 void Runtime::Impl::link_programs(Loading& loading, Declared& declared) {
     const Scene& scene = plan.scene;
@@ -143,7 +154,7 @@ void Runtime::Impl::link_programs(Loading& loading, Declared& declared) {
     std::vector<bool> used(scene.programs.size(), false);
     active.clear();
     dormant.clear();
-    animated = mouse = false;
+    animated = mouse = timed = false;
     for (const Pass& pass : scene.passes)
         for (const Item& item : pass.items) {
             if (item.kind != Item::Kind::draw) continue;
@@ -162,6 +173,7 @@ void Runtime::Impl::link_programs(Loading& loading, Declared& declared) {
         if (linked) find_dormant(i, *linked);
         if (!linked || !used[i]) continue;
         animated = animated || linked->reads(glsl::System::timer) || linked->reads(glsl::System::time);
+        timed = timed || ranges::any_of(active.back(), tells_time);
         mouse = mouse || linked->reads(glsl::System::mouse);
     }
     tell(LoadProgress::Stage::programs, "", scene.programs.size(), scene.programs.size());

@@ -362,6 +362,7 @@ struct Runtime::Impl {
     runtime::State state;
     std::optional<gl::AnySamples> samples;  // while draws of the window are watched
     bool animated = false, mouse = false;
+    bool timed = false;   // as animated, with any values
     bool settled = true;  // as of the last frame
     bool parts = false;   // programs are those for parts of pictures
 };

@@ -85,6 +85,7 @@ const std::vector<std::vector<ActiveUniform>>& Runtime::active_uniforms() const 
 const Controls& Runtime::controls() const { return impl_->given; }
 const Diagnostics& Runtime::value_problems() const { return impl_->value_problems; }
 bool Runtime::animated() const { return impl_->animated; }
+bool Runtime::timed() const { return impl_->timed; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
 double Runtime::long_loops(const Controls& values) const {
     double most = 0;

@@ -108,6 +108,8 @@ public:
     const Diagnostics& value_problems() const;
     // Some drawn program reads Timer or uTime: every moment is another picture.
     bool animated() const;
+    // The same with other values of its uniforms, if not with these.
+    bool timed() const;
     bool uses_mouse() const;
     // Loops of some program are long, as glsl::LongLoops says, with some values of its uniforms.
     bool may_have_long_loops() const;

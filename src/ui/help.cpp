@@ -24,7 +24,7 @@ std::span<const KeyRow> key_rows() {
         {"hold I", "magnify the pixel or texel under the pointer and show its values"},
         {"N", "mark pixels and texels that are NaN, infinite or outside of 0 to 1"},
         {"space bar", "pause or resume time"},
-        {"1 to 9; with Ctrl", "restore a snapshot; store one", "Scene and window"},
+        {"1 to 9; with Ctrl", "restore a snapshot of the values; store one", "Scene and window"},
         {"Ctrl S; with Shift", "save the values to the scene; save as another scene"},
         {"Ctrl Z; Ctrl Y or Ctrl Shift Z", "undo; redo"},
         {"Ctrl O", "open another scene"},

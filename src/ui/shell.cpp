@@ -67,9 +67,9 @@ void value_labels(const Facts& facts, const Controls& controls, const Rect& scen
         if (const auto columns = static_cast<std::size_t>(room); text.view().size() > columns)
             text = Text(cut_name(std::string(text.view()), columns));
         const ImVec2 at(scene.x + margin, y);
-        // A dark outline makes the white text visible on white pictures.
-        for (const ImVec2 off : {ImVec2(1, 1), ImVec2(-1, 1), ImVec2(1, -1), ImVec2(-1, -1)})
-            list.AddText(fonts.mono, size, {at.x + off.x, at.y + off.y}, IM_COL32(0, 0, 0, 190), text.c_str());
+        // A dim plate makes the white text readable on light pictures.
+        const float pad = std::round(size * .3F), width = fonts.mono->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x;
+        list.AddRectFilled({at.x - pad, at.y}, {at.x + width + pad, at.y + line}, IM_COL32(0, 0, 0, 165));
         list.AddText(fonts.mono, size, at, IM_COL32_WHITE, text.c_str());
         y += line;
     }
@@ -174,6 +174,24 @@ void view_menu(const Facts& facts, View& view, Memory& memory, Requests& request
     ImGui::EndPopup();
 }
 
+// Marks the button that was drawn last: there is something to restore.
+void stored_mark(const std::string& name, Layout& layout) {
+    const float radius = std::round(.15F * ImGui::GetFontSize());
+    const ImVec2 corner(ImGui::GetItemRectMax().x - 1.5F * radius, ImGui::GetItemRectMin().y + 1.5F * radius);
+    ImGui::GetWindowDrawList()->AddCircleFilled(corner, radius, ImGui::GetColorU32(palette().accent));
+    layout.place(name + ".stored", {corner.x - radius, corner.y - radius, 2 * radius, 2 * radius});
+}
+
+void snapshot_menu(int number, bool there, const std::string& name, Requests& requests, Layout& layout) {
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::OpenPopup("menu");
+    if (!begin_popup("menu")) return;
+    if (menu_item(there ? "Store again" : "Store")) requests.store_snapshot = number;
+    layout.note(name + ".store");
+    if (menu_item("Delete", nullptr, false, there)) requests.delete_snapshot = number;
+    layout.note(name + ".delete");
+    ImGui::EndPopup();
+}
+
 void snapshot_row(const Facts& facts, Requests& requests, Layout& layout) {
     const float gap = close_together * ImGui::GetFontSize();
     const float all = snapshot_count * (button_width("9") + gap);
@@ -192,8 +210,13 @@ void snapshot_row(const Facts& facts, Requests& requests, Layout& layout) {
                 requests.store_snapshot = number;
         }
         if (!there) ImGui::PopStyleColor();
-        tip(there ? "Restores this snapshot. Ctrl-click to replace it." : "Stores the current values as a snapshot.");
-        layout.note(fmt::format("snapshot {}", number));
+        tip(there ? "Restores this snapshot of the values; the view stays. Ctrl-click to replace it, right-click to "
+                    "delete it."
+                  : "Stores the current values as a snapshot, without the view.");
+        const std::string name = fmt::format("snapshot {}", number);
+        layout.note(name);
+        if (there) stored_mark(name, layout);
+        snapshot_menu(number, there, name, requests, layout);
         ImGui::PopID();
     }
 }
@@ -346,7 +369,7 @@ void switch_accuracy(Memory& memory) {
 }
 
 void keys(const Facts& facts, View& view, Memory& memory, Requests& requests) {
-    if (pressed(Key::h)) hide(memory);
+    if (plain(Key::h)) hide(memory);
     requests.reload |= pressed(Key::f5);
     requests.full_screen = pressed(Key::f11);
     keep_keys(facts, requests);
@@ -356,13 +379,17 @@ void keys(const Facts& facts, View& view, Memory& memory, Requests& requests) {
     if (memory.keys && pressed(Key::escape)) {
         memory.keys = false;
     } else if (!found_keys(facts, requests)) {
-        // Full screen ends last, as it was there before anything that Escape ends.
-        if (pressed(Key::escape) && !memory.hold.picking && memory.hold.object == none)
-            requests.full_screen |= facts.full_screen;
+        // Full screen ends last, as it was there before anything that Escape ends. Before it, the newest notice does.
+        if (pressed(Key::escape) && !memory.hold.picking && memory.hold.object == none) {
+            if (memory.failures.open.empty())
+                requests.full_screen |= facts.full_screen;
+            else
+                memory.failures.open.pop_back();
+        }
         if (facts.scene) view_keys(view, memory.hold);
     }
-    if (facts.scene && pressed(Key::a)) switch_accuracy(memory);
-    if (facts.scene && pressed(Key::s) && !ImGui::GetIO().KeyCtrl) switch_split(memory.accuracy);
+    if (facts.scene && plain(Key::a)) switch_accuracy(memory);
+    if (facts.scene && plain(Key::s)) switch_split(memory.accuracy);
 }
 
 // Shows for a moment how the panel comes back.

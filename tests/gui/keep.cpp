@@ -140,6 +140,17 @@ TEST_F(Keep, SnapshotsAreStoredAndRestoredByKeys) {
     click("snapshot 1");
     ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == .5; }));
     EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .4);
+    // Its menu deletes it, and Ctrl+Z brings the file back.
+    const std::string before = bytes("scene.snapshots.json");
+    click("snapshot 1", .5, 3);
+    click("snapshot 1.delete");
+    settle();
+    EXPECT_EQ(json::parse(bytes("scene.snapshots.json"), nullptr, false), json::object());
+    EXPECT_FALSE(state()["widgets"].contains("snapshot 1.stored"));
+    user("key ctrl+z");
+    settle();
+    EXPECT_EQ(bytes("scene.snapshots.json"), before);
+    EXPECT_TRUE(state()["widgets"].contains("snapshot 1.stored"));
 }
 
 TEST_F(Keep, TheCopiedCommandDrawsThePictureOfTheWindow) {
@@ -190,6 +201,39 @@ TEST_F(Keep, ValuesOverThePicture) {
     EXPECT_EQ(white(), 0);
     choose("view", "labels");
     EXPECT_GT(white(), 100);
+    // On a light picture, they are on a dark plate.
+    save("scene.glib",
+         scene.substr(0, scene.find("Background 0 0 0")) + "Background 1 1 1" + scene.substr(scene.find("\r\nVertex")));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    const std::array<double, 4> area = state()["scene"];
+    const Picture picture = look();
+    int dark = 0;
+    for (int y = static_cast<int>(area[3]) - 60; y < static_cast<int>(area[3]); ++y)
+        for (int x = 0; x < 200; ++x) dark += picture.at(x, y).red < 128;
+    EXPECT_GT(dark, 2000);
+}
+
+TEST_F(Keep, TheControlsOfTimeStayWhenNoValueNeedsThem) {
+    // Slow enough to be drawn by a program for its values.
+    save("paint.frag",
+         "#version 330 compatibility\nuniform float Timer, uRed, uGreen;\nvoid main() {\nfloat sum = 0.;\n"
+         "for (int i = 0; i < 100; ++i) sum += sin(float(i) * gl_FragCoord.x);\n"
+         "gl_FragColor = vec4(uRed + 1e-9 * sum, uGreen > .5 ? Timer : .1, .2, 1.);\n}\n");
+    open("scene.glib");
+    click("play");
+    const auto made = [&](const json&) {
+        settle();  // programs are made while nothing is told
+        return state()["counters"]["specialised"] > 0;
+    };
+    ASSERT_TRUE(wait(made)) << "there is a program without";
+    user("mousemove 100 100");
+    settle();
+    EXPECT_FALSE(state()["widgets"].contains("status.time")) << "it does not read the time";
+    EXPECT_TRUE(state()["widgets"].contains("play"));
+    user("key ctrl+s");
+    settle();
+    EXPECT_NE(state()["notice"].get<std::string>().find("moved objects"), std::string::npos) << state()["notice"];
 }
 
 TEST_F(Keep, TimeIsHeldSteppedAndScrubbed) {

@@ -61,7 +61,7 @@ TEST_F(States, AreShownSideBySideAndSlidersActOnWhatIsNow) {
     EXPECT_EQ(label(1), "as saved: 0.2");
     choose_state("right", "TINT=dark");
     expect({slid, .4, .5}, {slid, .4, 0}, "a rung");
-    EXPECT_EQ(label(1), "dark");
+    EXPECT_EQ(label(1), "TINT dark");
     click("accuracy.right");
     click("right.settings");
     user("type --delay 8 uGreen=0.9");
@@ -72,7 +72,7 @@ TEST_F(States, AreShownSideBySideAndSlidersActOnWhatIsNow) {
     const double now = state()["controls"]["Paint.uRed"][0];
     expect({now, .4, .5}, {now, .9, .5}, "what follows the scene follows its sliders");
     EXPECT_EQ(label(0), "now: uGreen 0.4");
-    EXPECT_EQ(label(1), "0.9") << "as typed";
+    EXPECT_EQ(label(1), "uGreen 0.9") << "as typed";
     click("accuracy.swap");
     settle();
     expect({now, .9, .5}, {now, .4, .5}, "swapped");
@@ -168,7 +168,7 @@ TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
     ASSERT_TRUE(wait([](const json& s) { return s["revision"] >= 4 && s["errors"] == 0; }));
     settle();
     expect({slid, .4, .5}, {slid, .4, 0}, "made as soon as it can be");
-    EXPECT_EQ(label(1), "dark");
+    EXPECT_EQ(label(1), "TINT dark");
     click("accuracy.right");
     click("right.settings");
     user("type --delay 8 uReed=0.9");
@@ -235,7 +235,7 @@ TEST_F(RoomStates, WaterBesideDiamondTurnsAsOne) {
         settle();
     }
     EXPECT_EQ(state()["states"][0], "uIndex 1.33");
-    EXPECT_EQ(state()["states"][1], "2.42");
+    EXPECT_EQ(state()["states"][1], "uIndex 2.42");
     user("mousemove 5 5");
     settle();
     const Picture before = look();

@@ -76,6 +76,7 @@ protected:
         facts.samples = 4;
         facts.renderer = caps.renderer;
         facts.animated = document.runtime->animated();
+        facts.timed = document.runtime->timed();
         facts.changed = true;
         facts.accuracy = accuracy_;
         if (textures_) {

@@ -174,6 +174,17 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
         EXPECT_GE(left.x, 0);
         EXPECT_LT(left.x + left.width, right.x);
         EXPECT_LE(right.x + right.width, memory_.scene.width);
+        // The labels change while somebody uses the buttons.
+        const Rect swap = place("accuracy.swap"), other = place("accuracy.other");
+        const StateFacts before = states_;
+        states_.sides[0].label = "n";
+        states_.sides[1].label = "snapshot 1: uIndex 1.1, uDispersion .3, uThickness 2.5, uColor 1 .5 0";
+        EXPECT_EQ(place("accuracy.swap"), swap);
+        EXPECT_EQ(place("accuracy.right"), right);
+        memory_.accuracy.show = AccuracyMemory::Show::heat;
+        EXPECT_NEAR(place("accuracy.other").width, other.width, .1F) << "'Split' and 'Heat map' alike";
+        memory_.accuracy.show = AccuracyMemory::Show::split;
+        states_ = before;
     }
     click(place("accuracy.right"));
     click(place("right.saved"));

@@ -159,6 +159,7 @@ TEST_F(Motion, MovingAnAnimatedSliderStopsIt) {
 
 TEST_F(Motion, WhatIsTakenBackEndsNoMotion) {
     add_slider("uMix", 0, .5, 2);
+    memory_.clock.used = true;  // as it is once it moved
     const Rect bar = place("Glass.uMix");
     const auto press_at = [&](double part) {
         memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)};
@@ -180,6 +181,27 @@ TEST_F(Motion, WhatIsTakenBackEndsNoMotion) {
     frame({button(false)});
     EXPECT_EQ(value(), .5);
     EXPECT_TRUE(memory_.animating()) << "Escape ends the drag";
+}
+
+TEST_F(Motion, TheControlsOfTimeStayWhereTheyAre) {
+    add_slider("uMix", 0, .5, 2);
+    EXPECT_FALSE(has("play"));
+    facts_.timed = true;
+    const Rect there = place("Glass.uMix");
+    EXPECT_TRUE(has("play"));
+    for (const bool animated : {true, false}) {
+        facts_.animated = animated;
+        memory_.clock.paused = false;
+        EXPECT_EQ(place("Glass.uMix"), there) << "whether the values need time, or not";
+        press(Key::space);
+        EXPECT_TRUE(memory_.clock.paused);
+    }
+    facts_.timed = false;
+    EXPECT_FALSE(has("play"));
+    memory_.animated = {animated_from(controls_.items[0], 0, 4, 0)};
+    EXPECT_TRUE(has("play"));
+    memory_.animated.clear();
+    EXPECT_EQ(place("Glass.uMix"), there) << "the mouse may have stopped it, which is over the slider then";
 }
 
 TEST_F(Motion, TheSpaceBarPausesAnAnimatedSlider) {

@@ -168,6 +168,7 @@ TEST_F(FilePanels, TheBrowserOpensWhatIsClickedTwice) {
 }
 
 TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
+    listing_.entries.resize(1);  // so that all is seen without scrolling
     const std::vector<SceneCard> scenes{{"glass.glib", "", "/s/glass.glib", {7, 1.5F}},
                                         {"sky.glib", "", "/s/sky.glib", {.why = "sky.glib:1: no such file"}}};
     const std::vector<SceneCard> lessons{{"noise.glib", "02-noise", "/l/noise.glib"}};
@@ -219,8 +220,40 @@ TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     }
     EXPECT_TRUE(has("browser.scene.sky.glib")) << "back to where it was asked";
     click(place("browser.folders"));
-    EXPECT_TRUE(has("browser.entry.ball.glib"));
+    EXPECT_TRUE(has("browser.entry.glass"));
     EXPECT_TRUE(has("browser.recent.old.glib"));
+}
+
+TEST_F(FilePanels, SearchesFindTheScenesBesideTheOpenOne) {
+    press(Key::o, {.ctrl = true});
+    EXPECT_TRUE(has("browser.beside.ball.glib"));
+    EXPECT_FALSE(has("browser.beside.glass")) << "a folder";
+    write("roo");
+    EXPECT_FALSE(has("browser.none"));
+    press(Key::enter);
+    EXPECT_EQ(requests_.open, "/home/ann/scenes/Room.glib");
+    requests_.open.clear();
+    press(Key::o, {.ctrl = true});
+    write("ss");
+    EXPECT_TRUE(has("browser.none")) << "and that it is not there is said";
+    press(Key::enter);
+    EXPECT_TRUE(memory_.browser.open);
+    // What is typed goes to the other tab, and stays whatever is listed.
+    const auto typed = [&] { return std::string_view(memory_.browser.typed.data()); };
+    press(Key::tab, {.ctrl = true});
+    EXPECT_FALSE(memory_.browser.start);
+    EXPECT_EQ(typed(), "ss");
+    EXPECT_TRUE(has("browser.entry.glass"));
+    EXPECT_FALSE(has("browser.entry.ball.glib"));
+    EXPECT_TRUE(click_asks("browser.all").browse);
+    EXPECT_TRUE(memory_.browser.all);
+    EXPECT_EQ(typed(), "ss");
+    frame({{.kind = Event::Kind::key, .key = Key::tab, .down = true, .modifiers = {.ctrl = true}}});
+    frame({key(Key::tab, false)});
+    EXPECT_TRUE(memory_.browser.start);
+    EXPECT_EQ(typed(), "ss");
+    click(place("browser.folders"));
+    EXPECT_EQ(typed(), "ss");
 }
 
 TEST_F(FilePanels, KeysOfTheBrowserAreNoCommands) {

@@ -128,7 +128,7 @@ public:
         unfolded_ = {"found.untried"};
     }
     void clock() {
-        facts_.animated = true;
+        facts_.animated = facts_.timed = true;
         memory_.clock.time = 123456.78;
         facts_.time = 123456.78;
         add_slider("uEta", .1, 1.1, 5);
@@ -307,7 +307,7 @@ public:
         memory_.open.emplace("Frame cost");
     }
     void picture() {
-        facts_.animated = true;
+        facts_.animated = facts_.timed = true;
         memory_.picture.open = true;
         std::ranges::copy(std::string("pictures/room.png"), memory_.picture.file.begin());
         memory_.picture.width = memory_.picture.height = 16384;
@@ -339,7 +339,7 @@ public:
     }
     void save_menu() {
         programs();
-        facts_.animated = true;
+        facts_.animated = facts_.timed = true;
         menu_ = "menu.save";
     }
     void view_menu() {
@@ -365,7 +365,7 @@ public:
     }
     void picking() {
         programs();
-        facts_.animated = true;
+        facts_.animated = facts_.timed = true;
         facts_.object = long_name;
         memory_.hold.picking = true;
         hold_object(memory_.hold, 0);

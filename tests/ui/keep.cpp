@@ -45,14 +45,14 @@ TEST_F(UiKeep, SaveAsSaysInWhichFolder) {
 }
 
 TEST_F(UiKeep, TheTimeHasItsUnit) {
-    facts_.animated = true;
+    facts_.animated = facts_.timed = true;
     const Rect field = place("time"), unit = place("time.unit");
     EXPECT_EQ(unit.width, ImGui::CalcTextSize("s").x);
     EXPECT_LT(unit.x - field.x - field.width, ImGui::GetFontSize());
 }
 
 TEST_F(UiKeep, RewindBeginsAgainAndGoesOn) {
-    facts_.animated = true;
+    facts_.animated = facts_.timed = true;
     memory_.clock.time = 7.5;
     click(place("rewind"));
     EXPECT_EQ(memory_.clock.time, 0);
@@ -76,6 +76,23 @@ TEST_F(UiKeep, SnapshotButtonsStoreWhatIsNotThereAndRestoreWhatIs) {
     EXPECT_EQ(there.restore_snapshot, 4);
     EXPECT_EQ(there.store_snapshot, 0);
     EXPECT_EQ(clicked("snapshot 4", {.ctrl = true}).store_snapshot, 4);
+}
+
+TEST_F(UiKeep, StoredSnapshotsAreMarkedAndDeletedByTheirMenu) {
+    facts_.snapshots[4] = true;
+    EXPECT_FALSE(has("snapshot 3.stored"));
+    EXPECT_TRUE(has("snapshot 4.stored"));
+    for (const auto& [number, entry] : {std::pair(3, "store"), {4, "store"}, {3, "delete"}, {4, "delete"}}) {
+        const std::string button = "snapshot " + std::to_string(number);
+        click(place(button), MouseButton::right);
+        const Requests asked = clicked(button + "." + entry);
+        const bool stores = std::string(entry) == "store";
+        EXPECT_EQ(asked.store_snapshot, stores ? number : 0);
+        EXPECT_EQ(asked.delete_snapshot, !stores && number == 4 ? 4 : 0) << "there is none to delete";
+        EXPECT_EQ(asked.restore_snapshot, 0);
+        frame({key(Key::escape, true)});
+        frame({key(Key::escape, false)});
+    }
 }
 
 TEST_F(UiKeep, DigitsThatAreTypedAreNoSnapshots) {

@@ -172,16 +172,45 @@ TEST_F(UiTest, ConstantsAreBehindAFoldUnlistedUniformsBelowARule) {
     EXPECT_EQ(controls_.items[1].value, controls_.items[1].initial);
 }
 
-TEST_F(UiTest, OnlyTheFirstProgramIsOpenAtFirst) {
+TEST_F(UiTest, AllProgramsAreOpenAtFirstWhereTheyFitOtherwiseTheFirst) {
     add_slider("uEta", 0, .5, 1);
     add_program("Walls");
-    add_slider("uKa", 0, .5, 1);
-    EXPECT_TRUE(has("Glass.uEta"));
-    EXPECT_FALSE(has("Walls.uKa"));
-    click(place("Walls"));
-    EXPECT_TRUE(has("Walls.uKa"));
+    for (int i = 0; i < 10; ++i) add_slider("uKa" + std::to_string(i), 0, .5, 1);
+    Draw draw;
+    draw.program = 1;
+    scene_.draws = {draw};
+    for (const float height : {800.F, 420.F}) {
+        screen_.height = height;
+        FileRow file;
+        file.path = height > 600 ? "/high.glib" : "/low.glib";
+        facts_.files = {&file, 1};
+        EXPECT_TRUE(has("Glass.uEta")) << height;
+        EXPECT_EQ(has("Walls.uKa0"), height > 600) << height;
+        // An object that is picked unfolds its program, once.
+        hold_object(memory_.hold, 0);
+        EXPECT_TRUE(has("Walls.uKa0")) << height;
+        click(place("Walls"));
+        EXPECT_FALSE(has("Walls.uKa0")) << height;
+        hold_object(memory_.hold, none);
+        EXPECT_FALSE(has("Walls.uKa0")) << height;
+    }
     click(place("Glass"));
     EXPECT_FALSE(has("Glass.uEta"));
+}
+
+// Room is left for "Reset all" only where it is.
+TEST_F(UiTest, ATitleIsWholeInTheSmallestWindow) {
+    scene_.programs[0].name = "Toon";
+    Control& slider = add_slider("uEta", 0, .5, 1);
+    screen_ = {420, 320, 1, fitting_scale(3, 420)};
+    for (const double value : {.5, .7}) {
+        slider.value = {value};
+        const Rect at = place("Toon");
+        frame({move(at.x + 1.5 * at.height, at.y + at.height / 2)});
+        frame({}, 1);
+        frame({}, 1);
+        EXPECT_FALSE(kit().tip.shown) << kit().tip.text << ": no tooltip needs to say it, at " << value;
+    }
 }
 
 TEST_F(UiTest, SectionsAreRememberedByTheirSceneAndName) {
@@ -277,7 +306,7 @@ TEST_F(UiTest, AProgramWithoutSlidersIsAFoldedLine) {
     add_program("Air");
     add_slider("uKa", 0, .5, 1);
     EXPECT_TRUE(has("Water.uEta"));
-    EXPECT_FALSE(has("Air.uKa"));
+    EXPECT_TRUE(has("Air.uKa"));
     click(place("Glass"));
     const double opened = place("Water").y;
     click(place("Glass"));
@@ -378,6 +407,40 @@ TEST_F(UiTest, AFailureStaysUntilItIsDismissedAndLeavesTheMessages) {
     click(place("failure.ok"));
     EXPECT_FALSE(has("failure.ok"));
     EXPECT_TRUE(memory_.failures.open.empty());
+}
+
+TEST_F(UiTest, ARemarkGoesWithTheNextActionAndEscapeClosesTheNewest) {
+    using Remedy = Failure::Remedy;
+    std::vector<Failure>& open = memory_.failures.open;
+    const auto press = [&](Key which) {
+        frame({key(which, true)});
+        frame({key(which, false)});
+    };
+    for (const bool hidden : {false, true}) {
+        memory_.panel = !hidden;
+        facts_.full_screen = true;
+        open = {{"a.html is not saved"}, {"there is no snapshot 1", Remedy::absent, {}, 1}};
+        press(Key::tab);
+        EXPECT_EQ(open.size(), 2U) << "on the way to its buttons";
+        press(Key::h);
+        ASSERT_EQ(open.size(), 1U);
+        EXPECT_EQ(open[0].remedy, Remedy::none) << "a failure is no remark";
+        press(Key::escape);
+        EXPECT_TRUE(open.empty());
+        EXPECT_FALSE(requests_.full_screen);
+    }
+    memory_.panel = true;
+    open = {{"there is no snapshot 1", Remedy::absent, {}, 1}};
+    const Rect at = place("failure.store");
+    frame({move(at.x + at.width / 2, at.y + at.height / 2)}, 1);
+    frame({button(true)});
+    ASSERT_EQ(open.size(), 1U) << "a press on it answers it";
+    frame({button(false)});
+    EXPECT_EQ(requests_.store_snapshot, 1);
+    open = {{"there is no snapshot 1", Remedy::absent, {}, 1}};
+    place("failure.store");
+    click({300, 200, 1, 1});
+    EXPECT_TRUE(open.empty());
 }
 
 // And what went well is not.

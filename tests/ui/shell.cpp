@@ -42,7 +42,7 @@ protected:
 
 TEST_F(Shell, TheToolbarStaysWhereItIsWhileThePanelScrolls) {
     many_sliders();
-    facts_.animated = true;
+    facts_.animated = facts_.timed = true;
     for (const Screen& screen : {Screen{1280, 800, 1, 1}, {640, 480, 1, 1}, {1024, 768, 1, 2}}) {
         screen_ = screen;
         const Rect before = place("reload");
@@ -186,6 +186,16 @@ TEST_F(Shell, EverySectionSaysWhatItIsAbout) {
     }
 }
 
+TEST_F(Shell, KeysWithCtrlAreOtherKeys) {
+    view_.scene.scale = 2;
+    for (const Key which : {Key::a, Key::p, Key::h, Key::r, Key::n}) press(which, {.ctrl = true});
+    EXPECT_FALSE(memory_.accuracy.open);
+    EXPECT_FALSE(memory_.hold.picking);
+    EXPECT_TRUE(memory_.panel);
+    EXPECT_EQ(view_.scene.scale, 2);
+    EXPECT_FALSE(memory_.pixels.flags);
+}
+
 TEST_F(Shell, AShowsAccuracyAndThenClosesIt) {
     ladder();
     press(Key::a);
@@ -293,7 +303,7 @@ TEST_F(Shell, PickingSaysSoAtOnce) {
 // The narrower the window, the fewer the parts; each goes alone, and never before one that is less important.
 TEST_F(Shell, TheStatusLineGivesWayBitByBit) {
     ladder();
-    facts_.animated = true;
+    facts_.animated = facts_.timed = true;
     facts_.object = "Sphere, line 3";
     memory_.hold.picking = true;
     const std::vector<Problem> problems{{{.severity = Severity::warning, .message = "no"}, {}}};

@@ -143,7 +143,6 @@ TEST_F(Values, TabGoesThroughTheValuesInTheOrderOnScreen) {
     array("uD", {1, 2});
     add_program("Walls");
     add_slider("uE", 0, .6, 9);
-    click(place("Walls"));
     open("Glass.uA");
     const std::vector<std::pair<std::size_t, std::size_t>> order{{0, 0}, {1, 0}, {2, 0}, {2, 1},
                                                                  {2, 2}, {3, 0}, {3, 1}, {4, 0}};
@@ -187,7 +186,7 @@ TEST_F(Values, TabReachesEverythingThatTheMouseDoes) {
     press(Key::enter);
     type("3");
     ASSERT_EQ(value(), 3) << "values first";
-    facts_.animated = true;  // the space bar pauses the time
+    facts_.animated = facts_.timed = true;  // the space bar pauses the time
     const auto go_to = [&](auto&& reached, Modifiers modifiers) {
         for (int i = 0; i < 30; ++i) {
             if (reached()) return true;
@@ -411,6 +410,7 @@ TEST_F(Values, ManySlidersHaveAFilter) {
     EXPECT_FALSE(has("filter"));
     add_program("Walls");
     add_slider("uKa", 0, .5, 1);
+    click(place("Walls"));
     click(place("filter"));
     write("KA");
     EXPECT_TRUE(has("Walls.uKa")) << "any case, and the section is open";

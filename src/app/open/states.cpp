@@ -173,6 +173,14 @@ std::string store_snapshot(int number, const std::string& scene, const Setup& va
     return content::replace_file(file, content::json_text(json) + "\n");
 }
 
+std::string delete_snapshot(int number, const std::string& scene) {
+    Json json = read(scene);
+    const std::string file = snapshots_file(scene);
+    if (json.is_discarded()) return file + " cannot be read as JSON: it is left as it is";
+    json.erase(std::to_string(number));
+    return content::replace_file(file, content::json_text(json) + "\n");
+}
+
 std::string no_snapshot(std::string_view number, const std::string& scene) {
     std::string there;
     const auto stored = snapshots_there(scene);

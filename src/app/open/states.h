@@ -68,6 +68,9 @@ Setup snapshot_of(const Document& document);
 std::string store_snapshot(int number, const Document& document);
 std::string store_snapshot(int number, const std::string& scene, const Setup& values);
 
+// The other contents of the file stay. Returns "" or the error.
+std::string delete_snapshot(int number, const std::string& scene);
+
 // Of a number that no snapshot of the scene has: that there is none, and which there are.
 std::string no_snapshot(std::string_view number, const std::string& scene);
 

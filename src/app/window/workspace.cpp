@@ -149,6 +149,7 @@ void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
         facts.scene = &shown->scene();
         facts.incomplete = shown->diagnostics.has_errors();
         facts.animated = shown->runtime->animated();
+        facts.timed = shown->runtime->timed();
         facts.mouse = shown->runtime->uses_mouse();
         linked_.clear();
         // A program without uniforms looks like one that failed, but only a failure leaves an error.

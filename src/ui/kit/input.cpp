@@ -45,6 +45,8 @@ std::size_t batch(std::span<const Event> events) {
 
 bool pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(static_cast<int>(key), repeat); }
 
+bool plain(Key key) { return pressed(key) && !ImGui::GetIO().KeyCtrl; }
+
 bool any_pressed() {
     for (int key = 0; key < static_cast<int>(Key::count_); ++key)
         if (static_cast<Key>(key) != Key::other && pressed(static_cast<Key>(key))) return true;

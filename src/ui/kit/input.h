@@ -15,6 +15,8 @@ std::size_t batch(std::span<const Event> events);
 void feed(std::span<const Event> events);
 // True if the key was pressed in this frame; with `repeat` also while it repeats.
 bool pressed(Key key, bool repeat = false);
+// The same without Ctrl, which makes it another key.
+bool plain(Key key);
 // True if any key was pressed in this frame, except for those that only modify others.
 bool any_pressed();
 // Hides the press from everything that asks later in this frame.

@@ -218,7 +218,7 @@ void state_button(const StateFacts& facts, std::size_t index, float width, Accur
     const float arrow = button_width(" \u25BE");
     Text text = shortened(side.label, std::max(width - arrow, 1.0F));
     if (side.failed) ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-    if (or_keys(ImGui::Button(text.append(" \u25BE").c_str()))) ImGui::OpenPopup("states");
+    if (or_keys(ImGui::Button(text.append(" \u25BE###state").c_str(), {width, 0}))) ImGui::OpenPopup("states");
     if (side.failed) ImGui::PopStyleColor();
     layout.note(left ? "accuracy.left" : "accuracy.right");
     tip(side.label);
@@ -314,14 +314,15 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
     if (!facts.states) return scene.y + scene.height;
     const StateFacts& states = *facts.states;
     const ImGuiStyle& style = ImGui::GetStyle();
-    const float gap = style.ItemSpacing.x, arrow = button_width(" \u25BE");
-    const float middle = button_width("\u21C4") + button_width("Heat map") + 2 * gap, pad = .4F * ImGui::GetFontSize();
+    const float gap = style.ItemSpacing.x;
+    const float other = std::max(button_width("Heat map"), button_width("Split"));
+    const float middle = button_width("\u21C4") + other + 2 * gap, pad = .4F * ImGui::GetFontSize();
     // In the narrowest windows the buttons have a line of their own.
     const bool two_lines = scene.width < 20 * ImGui::GetFontSize();
-    // Each has what it needs, and half of the room at most.
+    // Where the buttons are does not depend on the labels, which change while somebody uses them.
     const float room = std::max(scene.width - (two_lines ? 0 : middle) - gap - 4 * pad, 2.0F) / 2;
-    const auto wide = [&](std::size_t i) { return std::min(room, width_of(states.sides[i].label) + arrow); };
-    const float left = wide(0), all = left + wide(1) + (two_lines ? 0 : middle) + gap + 2 * pad;
+    const float left = std::min(room, 18 * ImGui::GetFontSize());
+    const float all = 2 * left + (two_lines ? 0 : middle) + gap + 2 * pad;
     const float divider = memory.show == Show::split ? memory.divider : .5F;
     const float x = std::clamp(scene.x + scene.width * divider - left - pad - gap - button_width("\u21C4") / 2,
                                scene.x + pad, std::max(scene.x + pad, scene.x + scene.width - all - pad));
@@ -335,21 +336,22 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
     if (ImGui::Begin("##states", nullptr, bar)) {
         state_button(states, 0, left, memory, layout);
         ImGui::SameLine();
-        if (two_lines) state_button(states, 1, wide(1), memory, layout);
+        if (two_lines) state_button(states, 1, left, memory, layout);
         if (button("\u21C4", layout, "accuracy.swap")) {
             memory.left = states.sides[1].name;
             memory.right = states.sides[0].name;
         }
         tip("Swaps the two sides");
         ImGui::SameLine();
-        if (button(memory.show == Show::heat ? "Split" : "Heat map", layout, "accuracy.other"))
+        if (or_keys(ImGui::Button(memory.show == Show::heat ? "Split###other" : "Heat map###other", {other, 0})))
             memory.show = memory.show == Show::heat ? Show::split : Show::heat;
+        layout.note("accuracy.other");
         tip(memory.show == Show::heat
                 ? "Shows both side by side"
                 : "Shows where they differ: black is equal, brighter is more, white is as black against white");
         if (!two_lines) {
             ImGui::SameLine();
-            state_button(states, 1, wide(1), memory, layout);
+            state_button(states, 1, left, memory, layout);
         }
         if (memory.show == Show::heat && !two_lines) {
             ImGui::TextDisabled("Difference of light, where white is 1");

@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
+#include "src/plan/locate.h"
 #include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/panels/state.h"
@@ -158,11 +162,36 @@ void new_scenes(const Facts& facts, Memory& memory, Layout& layout) {
     ImGui::Spacing();
 }
 
-void start_page(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
+// The scenes of the listed folder: at first that of the open scene.
+std::vector<SceneCard> scenes_in(const Listing& listing) {
+    std::vector<SceneCard> scenes;
+    for (const Entry& entry : listing.entries)
+        if (!entry.folder && has_extension(entry.path, "glib"))
+            scenes.push_back({entry.name, "", entry.path, entry.picture});
+    return scenes;
+}
+
+// The first scene of the start page whose name contains the text, if there is one.
+std::optional<SceneCard> first_card(const Facts& facts, const Listing& listing, std::string_view typed) {
+    if (typed.empty()) return std::nullopt;
+    const std::vector<SceneCard> beside = scenes_in(listing);
+    for (const std::span<const SceneCard> scenes :
+         {facts.recent, std::span(beside), facts.examples.scenes, facts.examples.lessons})
+        for (const SceneCard& scene : scenes)
+            if (contains(scene.name, typed)) return scene;
+    return std::nullopt;
+}
+
+void start_page(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
     cards("Recent", "browser.recent", facts.recent, memory, requests, layout);
+    cards("In this folder", "browser.beside", scenes_in(listing), memory, requests, layout);
     new_scenes(facts, memory, layout);
     cards("Scenes", "browser.scene", facts.examples.scenes, memory, requests, layout);
     cards("Lessons", "browser.lesson", facts.examples.lessons, memory, requests, layout);
+    const std::string_view typed = memory.browser.typed.data();
+    if (typed.empty() || is_path(typed) || first_card(facts, listing, typed)) return;
+    wrapped("No scene here has this in its name. Folders (Ctrl+Tab) has other folders; a path opens any scene.", true);
+    layout.note("browser.none");
 }
 
 void places(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
@@ -260,13 +289,12 @@ void choose_by_keys(Browser& browser, std::size_t count) {
     browser.chosen = std::min(browser.chosen, count > 0 ? count - 1 : 0);
 }
 
-// The first scene of the start page whose name contains the text, if there is one.
-const SceneCard* first_card(const Facts& facts, std::string_view typed) {
-    if (typed.empty()) return nullptr;
-    for (const auto& scenes : {facts.recent, facts.examples.scenes, facts.examples.lessons})
-        for (const SceneCard& scene : scenes)
-            if (contains(scene.name, typed)) return &scene;
-    return nullptr;
+// Lists the folder as the browser is now; what is typed stays.
+void list_again(const Listing& listing, Browser& browser, Requests& requests) {
+    browser.start = false;
+    browser.folder = listing.folder;
+    browser.chosen = 0;
+    browser.focus = requests.browse = true;
 }
 
 // Draws the name field and the buttons.
@@ -286,7 +314,7 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
     if (ImGui::IsItemEdited()) browser.chosen = 0;
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
     if (!browser.start) {
-        if (switch_box("All files", browser.all)) open_browser(listing.folder, memory, requests);
+        if (switch_box("All files", browser.all)) list_again(listing, browser, requests);
         layout.note("browser.all");
         follow(buttons);
     }
@@ -294,7 +322,8 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
     if (button("Cancel", layout, "browser.cancel") || pressed(Key::escape)) return close(browser);
     ImGui::SameLine();
     const std::string_view typed(browser.typed.data());
-    const SceneCard* const first = browser.start && !is_path(typed) ? first_card(facts, typed) : nullptr;
+    const std::optional<SceneCard> first =
+        browser.start && !is_path(typed) ? first_card(facts, listing, typed) : std::nullopt;
     ImGui::BeginDisabled(browser.start ? !first && !is_path(typed) : shown.empty() && !is_path(typed));
     go |= button("Open", layout, "browser.open");
     ImGui::EndDisabled();
@@ -316,12 +345,13 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
         browser.focus = true;
 }
 
-// The two pages as tabs.
+// The two pages as tabs; Ctrl+Tab goes to the other one.
 void pages(const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
+    const bool keys = ImGui::GetIO().KeyCtrl && pressed(Key::tab);
     const bool start = tabs({{{"Scenes", "browser.start"}, {"Folders", "browser.folders"}}},
-                            memory.browser.start ? 0 : 1, layout) == 0;
-    if (memory.browser.start && !start) open_browser(listing.folder, memory, requests);
-    if (start) memory.browser.start = true;
+                            memory.browser.start != keys ? 0 : 1, layout) == 0;
+    if (memory.browser.start && !start) list_again(listing, memory.browser, requests);
+    memory.browser.start = start;
 }
 
 }  // namespace
@@ -394,7 +424,7 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     }
     ImGui::BeginChild(browser.start ? "##start" : "##entries", {0, height});
     if (browser.start)
-        start_page(facts, memory, requests, layout);
+        start_page(facts, listing, memory, requests, layout);
     else
         entries(listing, shown, came, memory, requests, layout);
     ImGui::EndChild();

@@ -7,7 +7,8 @@
 
 namespace snell::ui {
 
-// Draws the controls of the scene's time, for animated scenes only: play, pause, step, scrub and speed.
+// Draws the controls of time: play, pause, step, scrub and speed. They are there for scenes that may depend on time,
+// whatever the values are, and once a slider moved by itself, so that nothing below them moves under the mouse.
 void clock_panel(const Facts& facts, Memory& memory, Layout& layout);
 // Space plays or pauses.
 void clock_keys(const Facts& facts, Memory& memory);

@@ -258,6 +258,18 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
     ImGui::PopStyleVar(2);
 }
 
+// True if the user goes on: a key that does not lead to a notice's button, or a press that is not on one.
+bool goes_on(const NoticeMemory& memory) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto clicks = [](int button) { return ImGui::IsMouseClicked(button); };
+    const bool press = clicks(ImGuiMouseButton_Left) || clicks(ImGuiMouseButton_Right);
+    if (press)
+        return std::none_of(memory.stood.begin(), memory.stood.end(), [&](const NoticeMemory::Stood& stood) {
+            return stood.box.contains(io.MousePos.x, io.MousePos.y);
+        });
+    return any_pressed() && !answering() && !pressed(Key::tab);
+}
+
 using Remedy = Failure::Remedy;
 
 bool of_saving(Remedy remedy) {
@@ -423,6 +435,9 @@ float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& re
     float bottom = first;
     int index = 0;
     begin_notices(memory.notices);
+    // That there is no such snapshot is a remark on what was done last.
+    if (goes_on(memory.notices))
+        std::erase_if(memory.failures.open, [](const Failure& one) { return one.remedy == Remedy::absent; });
     failure_boxes(scene, bottom, memory, requests, layout);
     std::span<const Message> messages;
     if (facts.scene && memory.panel) messages = facts.scene->messages;

@@ -441,9 +441,9 @@ bool any(const Controls& controls, Index program, Chosen chosen) {
 }
 
 // Draws "Reset all" at the right end of the header, where it moves nothing.
-void reset_button(Controls& controls, Index program, const Section& section, float right) {
+void reset_button(Controls& controls, Index program, const Section& section, float right, const char* text) {
     ImGui::SameLine(right);
-    if (or_keys(ImGui::SmallButton("Reset all"))) {
+    if (or_keys(ImGui::SmallButton(text))) {
         for (Control& control : controls.items)
             if (control.program == program) reset(control);
         stop_all(section.memory.animated, program);
@@ -452,28 +452,31 @@ void reset_button(Controls& controls, Index program, const Section& section, flo
 }
 
 // Draws the title; returns whether the section is open. While a filter is set, sections are open for themselves.
-bool header(Controls& controls, Index index, const Section& section, bool open_at_first) {
+bool header(Controls& controls, Index index, const Section& section, bool open_at_first, bool unfolds) {
     const bool filtered = section.memory.filter[0] != '\0';
-    if (open_at_first || filtered) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+    if (open_at_first || filtered || unfolds) ImGui::SetNextItemOpen(true, unfolds ? ImGuiCond_Always : ImGuiCond_Once);
     const std::string& name = section.program.name;
-    const float button = button_width("Reset all");
+    const auto moved = [](const Control& c) { return c.value != c.initial; };
+    const auto moving = [&](const Animated& motion) { return motion.program == index; };
+    const bool resets = any(controls, index, moved) || ranges::any_of(section.memory.animated, moving);
+    const std::string_view wanted = name.empty() ? std::string_view("Program") : name;
+    // The title has what the button leaves, which is there only where something can be reset.
+    const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight();
+    const char* const text = width_of(wanted) + button_width("Reset all") <= room ? "Reset all" : "Reset";
+    const float button = resets ? button_width(text) : 0;
     const float right = ImGui::GetContentRegionMax().x - button - ImGui::GetStyle().FramePadding.x * .5F;
-    Text title = shortened(name.empty() ? std::string_view("Program") : name,
-                           ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight() - button);
-    const bool whole = name.empty() || title == name;
+    Text title = shortened(wanted, room - button);
+    const bool whole = title == wanted;
     const bool open =
         ui::header(title.append(filtered ? "###found" : "###program").c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
     if (!whole) tip(name);
     section.layout.note(name);
     keep_in_view(open);
-    const auto moved = [](const Control& c) { return c.value != c.initial; };
-    const auto moving = [&](const Animated& motion) { return motion.program == index; };
-    if (any(controls, index, moved) || ranges::any_of(section.memory.animated, moving))
-        reset_button(controls, index, section, right);
+    if (resets) reset_button(controls, index, section, right, text);
     return open;
 }
 
-void section_of(Controls& controls, Index index, Section section, bool open_at_first) {
+void section_of(Controls& controls, Index index, Section section, bool open_at_first, bool unfolds) {
     const auto kept = [&](const Control& c) { return passes(c, section.memory); };
     const auto main = [&](const Control& c) { return sliding(c) && kept(c); };
     const auto constant = [&](const Control& c) { return c.listed && c.widget == Widget::none && kept(c); };
@@ -488,7 +491,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
     ImGui::PushID(section.program.name.c_str());
     ImGui::PushID(static_cast<int>(std::count_if(
         programs.begin(), earlier, [&](const Program& program) { return program.name == section.program.name; })));
-    if (header(controls, index, section, open_at_first)) {
+    if (header(controls, index, section, open_at_first, unfolds)) {
         const ImGuiStyle& style = ImGui::GetStyle();
         const float indent = style.FramePadding.x * .5F;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, std::round(style.ItemSpacing.y * .8F)});
@@ -573,11 +576,23 @@ void ladders_panel(const Facts& facts, Controls& controls, Layout& layout) {
 void programs_panel(const Facts& facts, Controls& controls, Memory& memory, Layout& layout) {
     const std::vector<Program>& programs = facts.scene->programs;
     filter_row(controls, memory, layout);
-    Index open = 0;  // at first: the first section that has sliders
-    while (open < programs.size() && !any(controls, open, sliding)) ++open;
+    // At first those that have sliders are open if all fit, otherwise the first of them.
+    Index first = 0;
+    while (first < programs.size() && !any(controls, first, sliding)) ++first;
+    const auto slides = [](const Control& control) { return is_shown(control) && sliding(control); };
+    const auto rows = static_cast<std::size_t>(ranges::count_if(controls.items, slides)) + programs.size();
+    const bool fit = static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing() <= ImGui::GetContentRegionAvail().y;
+    // An object that is picked unfolds its program.
+    int& picked = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("picked"), -1);
+    const Index object = memory.hold.object;
+    const bool picks = object < facts.scene->draws.size() &&
+                       std::exchange(picked, static_cast<int>(object)) != static_cast<int>(object);
+    if (object == none) picked = -1;
     for (Index i = 0; i < programs.size(); ++i) {
         const bool linked = i < facts.linked.size() && facts.linked[i];
-        section_of(controls, i, {facts, programs[i], linked, memory, layout}, i == open);
+        const bool at_first = i == first || (fit && any(controls, i, sliding));
+        const bool unfolds = picks && facts.scene->draws[object].program == i;
+        section_of(controls, i, {facts, programs[i], linked, memory, layout}, at_first, unfolds);
     }
     if (programs.empty()) ImGui::TextDisabled("The scene has no Program statement.");
 }

@@ -89,6 +89,7 @@ struct Facts {
     double longest_picture = 0;            // seconds after which one is given up; 0: never
     std::uint64_t revision = 0;            // increases each time the files are read
     bool animated = false, mouse = false;  // whether the picture depends on time, and on the mouse's position
+    bool timed = false;                    // whether it depends on time with some values of the uniforms
     double time = 0;                       // seconds since the scene began
     double frame_ms = 0;                   // time to draw the last picture, in milliseconds
     int samples = 1;                       // per pixel, of a sharp picture
@@ -118,6 +119,7 @@ struct Facts {
 // The scene's time as the user controls it.
 struct Clock {
     bool paused = false;
+    bool used = false;  // by a slider that moved by itself
     double speed = 1;
     double time = 0;  // in seconds
 };
@@ -231,13 +233,13 @@ struct Requests {
     bool undo = false, redo = false;
     bool take_back = false;  // the slider is as before it was pressed last: that press is no step of undo
     bool copy_command = false;
-    std::optional<Point> pick;                     // picks the object at this point
-    int store_snapshot = 0, restore_snapshot = 0;  // numbers of snapshots; 0 for none
-    std::optional<Setup> values;                   // that are stored, in place of those of now
-    bool measure = false;                          // measures all rungs of the plotted ladder, or stops measuring
-    bool measure_frame = false;                    // measures passes and draws of a frame, or stops measuring
-    bool find_rungs = false;                       // seeks rungs, or stops seeking
-    std::optional<std::string> show_rung;          // shows the picture of a found rung; "": of the scene
+    std::optional<Point> pick;                                          // picks the object at this point
+    int store_snapshot = 0, restore_snapshot = 0, delete_snapshot = 0;  // numbers of snapshots; 0 for none
+    std::optional<Setup> values;                                        // that are stored, in place of those of now
+    bool measure = false;                  // measures all rungs of the plotted ladder, or stops measuring
+    bool measure_frame = false;            // measures passes and draws of a frame, or stops measuring
+    bool find_rungs = false;               // seeks rungs, or stops seeking
+    std::optional<std::string> show_rung;  // shows the picture of a found rung; "": of the scene
     // Of the found rung that is shown: opens the dialog; writes it into the folder in SaveAs; copies the command.
     bool write_rung = false, write_rung_now = false, copy_rung = false;
     bool browse = false;       // lists the folder in Browser

@@ -134,8 +134,8 @@ void switch_picking(HoldMemory& hold) {
 }
 
 void view_keys(View& view, HoldMemory& hold) {
-    if (pressed(Key::r) || pressed(Key::home)) reset_view(view);
-    if (pressed(Key::p)) switch_picking(hold);
+    if (plain(Key::r) || pressed(Key::home)) reset_view(view);
+    if (plain(Key::p)) switch_picking(hold);
     if (!pressed(Key::escape)) return;
     if (hold.object == none) hold.picking = false;
     hold_object(hold, none);
@@ -148,8 +148,9 @@ constexpr double step = 1. / 25;  // seconds per picture, the default of `snell 
 }  // namespace
 
 void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
-    if (!facts.scene || !facts.animated) return;
     Clock& clock = memory.clock;
+    clock.used |= memory.animating();
+    if (!facts.scene || !(facts.timed || clock.used)) return;
     if (button(clock.paused ? "Play" : "Pause", layout, "play")) clock.paused = !clock.paused;
     if (next_button("Step", layout, "step")) {
         clock.paused = true;
@@ -183,7 +184,7 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
 }
 
 void clock_keys(const Facts& facts, Memory& memory) {
-    if ((facts.animated || memory.animating()) && !kit().focus.presses && pressed(Key::space))
+    if ((facts.timed || memory.animating()) && !kit().focus.presses && pressed(Key::space))
         memory.clock.paused = !memory.clock.paused;
 }
 

@@ -182,12 +182,14 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
                       ranges::all_of(halves_, [](const Half& half) { return half.error.empty(); });
     for (const std::size_t i : {0, 1}) {
         const Half& half = halves_[i];
-        std::string values = i == 0 ? differ.left : differ.right;
+        const bool settings = half.name.find('=') != std::string::npos;  // the values say it already, with their names
+        std::string values = i == 0     ? differ.left
+                             : settings ? difference(setup(halves_[1]), setup(halves_[0])).left
+                                        : differ.right;
         if (is_earlier(half.name) && !other_texts_.empty())
             values += (values.empty() ? "" : ", ") + as_it_was(other_texts_);
         ui::StateFacts::Side& side = facts_.sides[i];
         side.name = half.name;
-        const bool settings = half.name.find('=') != std::string::npos;  // the values say it already
         side.label = !half.shows()    ? fmt::format("{}: {}", shown_name(half.name), half.error)
                      : values.empty() ? shown_name(half.name)
                      : settings       ? values

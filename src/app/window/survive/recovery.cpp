@@ -88,6 +88,7 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
     if (requests.restore_snapshot > 0) restore(requests.restore_snapshot, document, memory);
     if (requests.store_snapshot > 0)
         store(requests.store_snapshot, requests.values.value_or(snapshot_of(document)), memory, served);
+    if (requests.delete_snapshot > 0) remove(requests.delete_snapshot, memory, served);
     if (requests.copy_command) {
         served.copied = render_command(document, picture);
         memory.notice = "copied: " + served.copied;
@@ -109,7 +110,8 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     }
     memory.failures.done(Remedy::save);
     std::string& notice = memory.notice;
-    notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
+    notice = saved.files.empty() ? "nothing to save; the view and moved objects are not written to the scene"
+                                 : counted(saved.values, "value") + " saved to";
     served.what = "save to";
     for (const SavedFile& file : saved.files) {
         notice += " " + printable_name(file.path);
@@ -138,6 +140,16 @@ void Keeper::store(int number, Setup values, ui::Memory& memory, Served& served)
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
     memory.notice = fmt::format("snapshot {} is in {}", number, printable_name(file));
+}
+
+void Keeper::remove(int number, ui::Memory& memory, Served& served) {
+    const std::string file = snapshots_file(scene_), before = content::whole_file(file);
+    const std::string error = delete_snapshot(number, scene_);
+    look_again();
+    if (!error.empty()) return memory.failures.add({fmt::format("snapshot {} is not deleted: {}", number, error)});
+    served.what = fmt::format("snapshot {}", number);
+    served.files = {{file, before, content::whole_file(file)}};
+    memory.notice = fmt::format("snapshot {} is deleted; Ctrl+Z restores it", number);
 }
 
 Recovery after_loss(std::shared_ptr<const Kept> kept, std::vector<std::string> files) {

@@ -49,6 +49,7 @@ public:
 private:
     static void save(const Document& document, ui::Memory& memory, Served& served);
     void store(int number, Setup values, ui::Memory& memory, Served& served);
+    void remove(int number, ui::Memory& memory, Served& served);
 
     std::string scene_;
     std::array<bool, ui::snapshot_count + 1> snapshots_{};
