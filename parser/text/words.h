@@ -61,6 +61,13 @@ inline std::string lowered(std::string_view text) {
     return result;
 }
 
+inline std::string raised(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return result;
+}
+
 // Words in sentences.
 
 // "a" or "an", as is said before the name of a type or another word that letters spell: an int, a uint.

@@ -234,10 +234,18 @@ std::string not_found_from(const fs::path& folder, const Document& document) {
 
 }  // namespace
 
-std::size_t changed_values(const Document& document) {
+std::size_t changed_values(const Document& document, std::span<const Animated> moving) {
+    const auto moves = [&](const Control& control, std::size_t component) {
+        return ranges::any_of(moving, [&](const Animated& motion) { return motion.moves(control, component); });
+    };
     const auto& rungs = document.controls.rungs;
     std::size_t count = 0;
-    for (const Control& control : document.controls.items) count += control.value != control.initial;
+    for (const Control& control : document.controls.items) {
+        bool changed = control.value.size() != control.initial.size();
+        for (std::size_t i = 0; !changed && i < control.value.size(); ++i)
+            changed = control.value[i] != control.initial[i] && !moves(control, i);
+        count += changed;
+    }
     for (std::size_t i = 0; i < rungs.size() && i < document.scene().ladders.size(); ++i)
         count += rungs[i] != document.scene().ladders[i].current;
     return count;
@@ -246,15 +254,17 @@ std::size_t changed_values(const Document& document) {
 namespace {
 
 // The new texts, whatever the files on the disk are now.
-Saved new_texts(const Document& document) {
+Saved new_texts(const Document& document, std::span<const Animated> moving) {
     Saved saved;
     if (!document.runtime) {
         saved.error = "the scene cannot be read";
         return saved;
     }
-    WriteBack back = write_back(document.scene(), document.controls, document.sources);
+    WriteBack back = write_back(document.scene(), at_rest(document.controls, moving), document.sources);
     saved.unwritten = std::move(back.unwritten);
-    const std::size_t changed = changed_values(document);
+    for (const Animated& motion : moving)
+        if (ranges::find(saved.moving, motion.name) == saved.moving.end()) saved.moving.push_back(motion.name);
+    const std::size_t changed = changed_values(document, moving);
     saved.values = changed - std::min(changed, saved.unwritten.size());
     for (FileId file = 0; file < document.sources.size(); ++file) {
         const auto edits = ranges::count(back.edits, file, [](const Edit& edit) { return edit.span.file; });
@@ -272,8 +282,8 @@ Saved new_texts(const Document& document) {
 
 }  // namespace
 
-Saved saved_values(const Document& document) {
-    Saved saved = new_texts(document);
+Saved saved_values(const Document& document, std::span<const Animated> moving) {
+    Saved saved = new_texts(document, moving);
     std::error_code error;
     const auto check_there = [&](const std::string& path) {
         const bool there = fs::exists(path, error);
@@ -290,8 +300,8 @@ Saved saved_values(const Document& document) {
     return saved;
 }
 
-SavedAs saved_as(const Document& document, const std::string& name) {
-    const Saved saved = new_texts(document);
+SavedAs saved_as(const Document& document, const std::string& name, std::span<const Animated> moving) {
+    const Saved saved = new_texts(document, moving);
     SavedAs as{{{}, {}, std::string(document.sources.text(0))}, false, saved.error};
     const fs::path given = fs::path(name).filename();
     if (as.error.empty() && (given.empty() || given == "." || given == "..")) as.error = "the scene needs a name";

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "src/gl/context.h"
 #include "src/plan/files.h"
 #include "src/plan/texts.h"
+#include "src/plan/values/animate.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/values/write_back.h"
 #include "src/runtime/runtime.h"
@@ -91,16 +93,17 @@ struct SavedFile {
 struct Saved {
     std::vector<SavedFile> files;
     std::vector<Unwritten> unwritten;
-    std::size_t values = 0;  // the number of values and rungs that are written
-    std::string error;       // why nothing can be written; `files` is then empty
+    std::vector<std::string> moving;  // names of uniforms that move by themselves: they keep the scene's values
+    std::size_t values = 0;           // the number of values and rungs that are written
+    std::string error;                // why nothing can be written; `files` is then empty
 };
 
-// The number of uniforms and ladders that differ from the scene.
-std::size_t changed_values(const Document& document);
+// The number of uniforms and ladders that differ from the scene, without values that move by themselves.
+std::size_t changed_values(const Document& document, std::span<const Animated> moving = {});
 
 // Computes what saving the document's controls would write; writes nothing. The result has an error if a file changed
 // since the document was read, or if the new texts would not read back correctly.
-Saved saved_values(const Document& document);
+Saved saved_values(const Document& document, std::span<const Animated> moving = {});
 
 // The scene with its current values, under another name.
 struct SavedAs {
@@ -111,6 +114,6 @@ struct SavedAs {
 // Computes it, whatever has become of the scene's own file; writes nothing. `name` is relative to the scene's folder.
 // Refuses folders from which the scene's files would not be found, and values that belong to another file, which the
 // scene includes.
-SavedAs saved_as(const Document& document, const std::string& name);
+SavedAs saved_as(const Document& document, const std::string& name, std::span<const Animated> moving = {});
 
 }  // namespace snell

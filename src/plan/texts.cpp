@@ -1,11 +1,16 @@
 #include "src/plan/texts.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 #include <utility>
 
 #include "parser/read/parse.h"
+#include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "shaders/embedded.h"
+#include "src/content/image/formats.h"
 #include "src/glsl/read/lexer.h"
 #include "src/plan/locate.h"
 
@@ -13,13 +18,55 @@ namespace snell {
 
 namespace {
 
+// Wavefront's models are text; their statements are no commands of scenes.
+bool is_model(std::string_view text) {
+    while (!text.empty() && (text.front() == '#' || text.front() == '\n' || text.front() == '\r'))
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    const std::string_view first = text.substr(0, text.find_first_of(" \t\r\n"));
+    constexpr std::array<std::string_view, 6> statements{"mtllib", "o", "g", "s", "v", "vn"};
+    return ranges::find(statements, first) != statements.end() &&
+           (first == "v" || text.find("\nv ") != text.npos || text.find("\nv\t") != text.npos);
+}
+
+// Texts hold few control characters. Those of UTF-16 have an error of their own.
+bool is_binary(std::string_view bytes) {
+    constexpr std::size_t enough = 1024;
+    bytes = bytes.substr(0, enough);
+    const auto controls = ranges::count_if(bytes, [](char c) { return c >= 0 && c < ' ' && (c < '\t' || c > '\r'); });
+    return !bytes.starts_with("\xFF\xFE") && !bytes.starts_with("\xFE\xFF") &&
+           static_cast<std::size_t>(controls) * 10 > bytes.size();
+}
+
+// Why these bytes are no scene, by the first of them: each line of a picture would be an error. "" if they may be one.
+std::string not_a_scene(std::string_view bytes) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 5> others{
+        {{"zip", "an archive (ZIP)"},
+         {"pdf", "a document (PDF)"},
+         {"html", "a web page (HTML)"},
+         {"svg", "a drawing or data (XML)"},
+         {"git-lfs", "a pointer of Git LFS"}}};
+    const std::string_view format = content::sniff(bytes);
+    const auto other = ranges::find(others, format, &std::pair<std::string_view, std::string_view>::first);
+    std::string what;
+    if (other != others.end())
+        what = other->second;
+    else if (!format.empty())
+        what = "a picture (" + raised(format) + ")";
+    else if (is_model(bytes))
+        what = "a model (OBJ)";
+    else if (is_binary(bytes))
+        what = "a binary file";
+    return what.empty() ? what : "it is " + what + ", not a scene";
+}
+
 IncludeReader scene_includes(Files& files) {
     return [&files](std::string_view from, std::string_view name) -> std::optional<IncludedText> {
         const Resolved resolved = files.resolve_beside(from, name, scene_extensions());
         std::string error(resolved.refused);
         if (resolved.path.empty()) return IncludedText{{}, {}, resolved.nearest, {}, std::move(error)};
         auto text = files.read(resolved.path, error);
-        if (!text) return IncludedText{{}, {}, {}, {}, std::move(error)};
+        if (text) error = not_a_scene(*text);
+        if (!error.empty()) return IncludedText{{}, {}, {}, {}, std::move(error)};
         return IncludedText{
             resolved.path, std::move(*text), {}, resolved.inexact ? written_name(resolved.path, from, files) : ""};
     };
@@ -41,7 +88,8 @@ std::optional<ParsedDocument> parse_document(const std::string& path, Files& fil
                                              Diagnostics& diagnostics) {
     std::string error;
     auto text = files.read(path, error);
-    if (!text) {
+    if (text) error = not_a_scene(*text);
+    if (!error.empty()) {
         diagnostics.error("scene-unreadable", "cannot read '" + path + "': " + error);
         return std::nullopt;
     }

@@ -197,6 +197,20 @@ TEST_F(Pictures, PartsCoverEveryPixelOnce) {
     EXPECT_NE(app::tile({30000, 10}, Limits{}, small).error, "");
 }
 
+// The dialog shows it in its own words, the terminal on a line of its own.
+TEST_F(Pictures, WhatIsTooLargeIsSaidInOneLineWithHelp) {
+    Limits little;
+    little.output_bytes = 1 << 16;
+    for (const auto& [tiling, name] : {std::pair(app::tile({100'000, 100'000}, Limits{}, caps), "output-side"),
+                                       {app::tile({8000, 8000, 16}, little, caps), "output-bytes"}}) {
+        EXPECT_NE(tiling.error, "");
+        EXPECT_EQ(tiling.error.find('\n'), std::string::npos) << tiling.error;
+        EXPECT_NE(tiling.help.find(name), std::string::npos) << tiling.help;
+    }
+    const Outcome large = render("--size 60000x60000 -o " + at("large.png") + " " + at("s.glib"));
+    EXPECT_TRUE(large.says("60000x60000 is too large\n   help: the limit 'output-side'")) << large.output;
+}
+
 }  // namespace
 
 }  // namespace snell::test

@@ -7,6 +7,7 @@
 #include "src/app/open/command_text.h"
 #include "src/app/open/states.h"
 #include "src/app/open/write_copy.h"
+#include "src/app/window/survive/recovery.h"
 #include "src/document/document.h"
 #include "src/plan/setup.h"
 #include "src/plan/values/declared.h"
@@ -259,6 +260,35 @@ TEST_F(Kept, SavedValuesAreReadAgain) {
     ASSERT_EQ(revert_saved(saved.files), "");
     EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
     EXPECT_NE(revert_saved(saved.files), "") << "it is not as it was saved";
+}
+
+// A file would hold the moment at which the key was pressed.
+TEST_F(Kept, ASliderThatMovesKeepsTheScenesNumber) {
+    auto document = read();
+    ui::Memory memory;
+    Control& color = named(*document, "uColor");
+    const std::vector<double> written = color.value;
+    memory.animated = {animated_from(named(*document, "uA"), 0, 4, 0), animated_from(color, 1, 4, 0)};
+    animate(document->controls, memory.animated, 1.7);
+    ASSERT_NE(named(*document, "uA").value, named(*document, "uA").initial) << "the test can fail";
+    Keeper keeper(document->path);
+    ui::Facts facts;
+    keeper.tell(facts, &*document, memory.animated);
+    EXPECT_FALSE(facts.changed);
+    keeper.serve({.save = true}, *document, {}, memory);
+    EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
+    EXPECT_EQ(memory.notice, "nothing to save; not uA, uColor, which move");
+    color.value[0] = .375;
+    memory.animated.front() = memory.animated.back();
+    memory.animated.pop_back();
+    named(*document, "uA").value = named(*document, "uA").initial;
+    keeper.serve({.save = true}, *document, {}, memory);
+    EXPECT_EQ(memory.notice, "1 value saved to s.glib; not uColor, which moves");
+    EXPECT_EQ(named(*read(), "uColor").value, (std::vector<double>{.375, written[1], written[2]}));
+    memory.animated.clear();
+    auto again = read();
+    keeper.serve({.save = true}, *again, {}, memory);
+    EXPECT_EQ(memory.notice, "nothing to save");
 }
 
 TEST_F(Kept, AFileThatChangedMeanwhileIsNotOverwritten) {

@@ -144,8 +144,8 @@ TEST_F(New, ImpossibleNamesAreErrorsAndLeaveNothing) {
         {"$'a\\nb'", "control characters", 2},
         {"$'a\\eb'", "control characters", 2},
         {"glass.glib", "did you mean 'snell new glass'?", 2},
-        {"missing/glass", "there is no folder 'missing'", 1},
-        {"file/glass", "there is no folder 'file'", 1},
+        {"file/glass", "cannot make 'file/glass': Not a directory", 1},
+        {"missing/file/" + long_name + "-glass", "File name too long", 1},
         {"/proc/glass", "cannot make '/proc/glass'", 1},
         {long_name + "-glass", "File name too long", 1},
         {"a --kind glas", "glas", 2},
@@ -159,6 +159,15 @@ TEST_F(New, ImpossibleNamesAreErrorsAndLeaveNothing) {
         EXPECT_TRUE(outcome.output.find('\x1B') == std::string::npos) << outcome.output;
         EXPECT_EQ(folder.entries(), before) << one.name;
     }
+}
+
+TEST_F(New, FoldersAboveItAreMadeToo) {
+    EXPECT_EQ(make("out/week-1/glass").status, 0);
+    EXPECT_TRUE(files("out/week-1/glass").contains("glass.glib"));
+    EXPECT_EQ(make("out/mirror").status, 0);
+    const Outcome outcome = run("cd " + folder.path() + " && (ulimit -f 20; exec " SNELL_BIN "/snell new a/b/glass)");
+    EXPECT_EQ(outcome.status, 1) << outcome.output;
+    EXPECT_FALSE(fs::exists(folder.path("a"))) << "a failure leaves nothing";
 }
 
 // A disk that is full in the middle: files may have 20,000 bytes at most here.

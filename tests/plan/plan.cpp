@@ -115,6 +115,43 @@ TEST_F(Planning, UsualExtensionsOfTheStage) {
     EXPECT_EQ(codes_of(diagnostics), (Codes{"file-inexact", "file-inexact"}));
 }
 
+// Every line of them would be an error, and the window would show them in place of the scene that is open.
+TEST_F(Planning, AFileOfAnotherKindIsOneError) {
+    using std::string_literals::operator""s;
+    const std::pair<std::string, const char*> kinds[] = {
+        {"\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s, "a picture (PNG)"},
+        {"\xff\xd8\xff\xe0\0\x10JFIF"s, "a picture (JPEG)"},
+        {"PK\x03\x04\x14\0\0\0"s, "an archive (ZIP)"},
+        {"# Blender\n\nmtllib a.mtl\no Cube\nv 1 2 3\n", "a model (OBJ)"},
+        {"#\nv 1 2 3\nf 1 1 1\n", "a model (OBJ)"},
+        {"<!DOCTYPE html>\n<title>404</title>\n", "a web page (HTML)"},
+        {"\x7f"
+         "ELF\2\1\1\0\0\0\0\0\0\0\0\0\3"s,
+         "a binary file"},
+    };
+    for (const auto& [bytes, kind] : kinds) {
+        folder.write("s.glib", bytes);
+        Diagnostics found;
+        EXPECT_FALSE(parse_document(folder.path("s.glib"), files, sources, found)) << kind;
+        ASSERT_EQ(found.items().size(), 1U) << kind;
+        EXPECT_EQ(found.items()[0].code, "scene-unreadable");
+        EXPECT_TRUE(found.items()[0].message.ends_with("': it is "s + kind + ", not a scene"))
+            << found.items()[0].message;
+        folder.write("sky.png", bytes);
+        folder.write("s.glib", "Include sky.png\nSphere 1\n");
+        Diagnostics included;
+        EXPECT_TRUE(parse_document(folder.path("s.glib"), files, sources, included)) << "the rest is drawn";
+        ASSERT_EQ(included.items().size(), 1U) << kind;
+        EXPECT_NE(included.items()[0].message.find(kind), std::string::npos) << included.items()[0].message;
+    }
+    // A mistake in a scene, and what has an error of its own.
+    for (const std::string& text : {""s, "Sphere 1\nBox foo\0\n"s, "\xff\xfeS\0p\0h\0e\0r\0e\0"s, "s\n"s, "# v\n"s}) {
+        folder.write("s.glib", text);
+        Diagnostics found;
+        EXPECT_TRUE(parse_document(folder.path("s.glib"), files, sources, found)) << text;
+    }
+}
+
 TEST_F(Planning, AnIncludedSceneOfAnotherNameIsSaidLikeAnyFile) {
     folder.write("parts/b.inc", "Include C.inc\nInclude D.inc\nSphere 1\n");
     folder.write("d.inc", "");  // next to the scene

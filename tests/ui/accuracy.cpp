@@ -250,7 +250,8 @@ TEST(Texts, OfPicturesThatAreNotFiniteDoNotSayThatNothingDiffers) {
 TEST(Texts, AreShort) {
     EXPECT_EQ(error_text(0), "none");
     EXPECT_EQ(error_text(1.1e-8), "none") << "the same numbers, summed in another order";
-    EXPECT_EQ(error_text(2e-6), "2e-06");
+    EXPECT_EQ(error_text(3.4e-6), "none") << "one sample of a pixel at an edge";
+    EXPECT_EQ(error_text(2e-5), "2e-05");
     EXPECT_EQ(error_text(.0031415), ".0031");
     EXPECT_EQ(error_text(1.25), "1.2");
     EXPECT_EQ(error_text(NAN), "unknown");

@@ -84,6 +84,40 @@ TEST_F(FoundPanel, NoErrorIsNotVisible) {
     EXPECT_GT(width(), none);
 }
 
+// The row's error is the largest of many views, the line's that of the picture.
+TEST_F(FoundPanel, TheErrorOfThePictureNamesTheRowsOwn) {
+    FoundRow& row = add("6");
+    row.error = .0028;
+    found_.shown = "6";
+    EXPECT_EQ(error_line(.0016, shown_row(found_)), "error .0016 of white here, worst .0028");
+    EXPECT_EQ(error_line(0, shown_row(found_)), "error none here, worst .0028");
+    EXPECT_EQ(error_line(.0028, shown_row(found_)), "error .0028 of white");
+    row.error = 0;
+    EXPECT_EQ(error_line(1.6e-6, shown_row(found_)), "error none");
+    found_.shown.clear();
+    EXPECT_EQ(shown_row(found_), nullptr);
+    EXPECT_EQ(error_line(.0016, nullptr), "error .0016 of white");
+}
+
+TEST_F(FoundPanel, TooltipsSayWhatEachErrorIs) {
+    AccuracyFacts accuracy;
+    accuracy.samples = accuracy.wanted = 16;
+    accuracy.of_scene = true;
+    facts_.accuracy = &accuracy;
+    add("6").error = .0028;
+    const auto said = [&](const Rect& at, double down) {
+        frame({move(at.x + at.width * .8, at.y + at.height * down)});
+        frame({}, 1);
+        frame({}, 1);
+        return kit().tip.shown ? kit().tip.text : "";
+    };
+    for (const double down : {.1, .5, .9})
+        EXPECT_NE(said(place("found.row.6"), down).find("of all views and values"), std::string::npos) << down;
+    EXPECT_EQ(said(place("accuracy.error"), .5).find("Worst"), std::string::npos) << "the scene is shown";
+    found_.shown = "6";
+    EXPECT_NE(said(place("accuracy.error"), .5).find("Worst"), std::string::npos);
+}
+
 TEST_F(FoundPanel, EachGroupHasItsHeading) {
     add("1").error = .01;
     EXPECT_TRUE(has("found.heading.Cheaper"));

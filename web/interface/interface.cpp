@@ -403,11 +403,12 @@ EMSCRIPTEN_KEEPALIVE void snell_free_bytes(Engine* engine) { engine->bytes = {};
 EMSCRIPTEN_KEEPALIVE const char* snell_saved(Engine* engine) {
     Json json{{"files", Json::array()}, {"unwritten", Json::array()}, {"error", ""}};
     if (!engine->reads()) return engine->tell(json);
-    const Saved saved = saved_values(*engine->scene.document());
+    const Saved saved = saved_values(*engine->scene.document(), engine->sliders.moving);
     json["error"] = saved.error;
     for (const SavedFile& file : saved.files)
         json["files"].push_back({{"name", file.path}, {"bytes", characters(file.after)}});
     for (const Unwritten& value : saved.unwritten) json["unwritten"].push_back(value.name + ": " + value.reason);
+    for (const std::string& name : saved.moving) json["unwritten"].push_back(name + ": it moves; stop it first");
     return engine->tell(json);
 }
 

@@ -302,7 +302,7 @@ bool Batch::ready_target(const Document& document) {
     size_ = size;
     tiling_ = tile(size, options_.access.limits, caps_, options_.tile);
     target_ = {};
-    if (!tiling_.error.empty()) return complain(tiling_.error);
+    if (!tiling_.error.empty()) return complain(tiling_.error, tiling_.help);
     if (!tiling_.whole(size)) return true;
     target_ = gl::make_target(size.width, size.height, size.samples, pixels);
     if (target_.framebuffer) return true;

@@ -84,10 +84,6 @@ Exit make_new(const NewOptions& options) {
     if (fs::exists(fs::symlink_status(folder, none)))
         return complain(exit_input, fmt::format("'{}' exists already", name),
                         fmt::format("choose another name, such as '{}'", free_name(folder).string()));
-    const fs::path parent = folder.parent_path();
-    if (!parent.empty() && !fs::is_directory(parent, none))
-        return complain(exit_input, fmt::format("there is no folder '{}'", parent.string()),
-                        "make it first, or leave it out of the name");
     if (const std::string error = write_folder(folder, files_of(*choice.kind, stem)); !error.empty())
         return complain(exit_input, fmt::format("cannot make '{}': {}", name, error),
                         "choose a folder where you may write, and a name that its file system takes");

@@ -80,10 +80,13 @@ std::vector<NewFile> files_of(const Kind& kind, std::string_view stem) {
 }
 
 std::string write_folder(const fs::path& folder, const std::vector<NewFile>& files) {
-    const fs::path part = folder.parent_path() / fmt::format(".{}.{}.part", folder.filename().string(), getpid());
+    const fs::path parent = folder.parent_path(),
+                   part = parent / fmt::format(".{}.{}.part", folder.filename().string(), getpid());
     std::error_code wrong, ignored;
     std::string error;
-    if (fs::create_directory(part, wrong); wrong) return wrong.message();
+    fs::path there = parent;
+    while (!there.empty() && !fs::exists(there, ignored)) there = there.parent_path();
+    if (fs::create_directories(part, wrong); wrong) error = wrong.message();
     for (const NewFile& file : files) {
         if (!error.empty()) break;
         fs::create_directories((part / file.path).parent_path(), wrong);
@@ -93,7 +96,9 @@ std::string write_folder(const fs::path& folder, const std::vector<NewFile>& fil
         fs::rename(part, folder, wrong);
         error = wrong ? wrong.message() : "";
     }
-    if (!error.empty()) fs::remove_all(part, ignored);
+    if (error.empty()) return error;
+    fs::remove_all(part, ignored);
+    for (fs::path made = parent; made != there; made = made.parent_path()) fs::remove(made, ignored);
     return error;
 }
 

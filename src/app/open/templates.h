@@ -44,7 +44,7 @@ struct NewFile {
 std::vector<NewFile> files_of(const Kind& kind, std::string_view stem);
 
 // Writes the files into a folder next to the new one's place, and renames it, so that the new one is there as a whole
-// or not at all. Returns "" or what went wrong.
+// or not at all. Folders above it that do not exist are made. Returns "" or what went wrong.
 std::string write_folder(const std::filesystem::path& folder, const std::vector<NewFile>& files);
 
 }  // namespace snell::app

@@ -21,9 +21,8 @@ int rounded(double pixels) { return std::max(block, static_cast<int>(pixels) / b
 
 Tiling tile(const PictureSize& size, const Limits& limits, const gl::Caps& caps, int most) {
     if (static_cast<std::uint64_t>(std::max(size.width, size.height)) > limits.output_side)
-        return {0, 0,
-                fmt::format("{}x{} is too large\n   help: {}", size.width, size.height,
-                            limit_help(limits, &Limits::output_side))};
+        return {0, 0, fmt::format("{}x{} is too large", size.width, size.height),
+                limit_help(limits, &Limits::output_side)};
     if (std::max(size.width, size.height) > caps.max_viewport)
         return {0, 0,
                 fmt::format("{}x{} is more than this OpenGL draws ({})", size.width, size.height, caps.max_viewport)};
@@ -37,9 +36,8 @@ Tiling tile(const PictureSize& size, const Limits& limits, const gl::Caps& caps,
     if (tiling.width * static_cast<double>(block) > pixels) tiling.width = rounded(pixels / block);
     tiling.height = rounded(pixels / tiling.width);
     if (static_cast<double>(tiling.width) * tiling.height <= pixels) return tiling;
-    return {0, 0,
-            fmt::format("{}x{} with {} samples takes too much memory\n   help: {}", size.width, size.height,
-                        size.samples, limit_help(limits, &Limits::output_bytes))};
+    return {0, 0, fmt::format("{}x{} with {} samples takes too much memory", size.width, size.height, size.samples),
+            limit_help(limits, &Limits::output_bytes)};
 }
 
 std::vector<PixelRect> parts_of(const PictureSize& size, const Tiling& tiling) {

@@ -19,7 +19,8 @@ struct PictureSize {
 // The size of the part that is drawn at once, in pixels.
 struct Tiling {
     int width = 0, height = 0;
-    std::string error;  // why the picture cannot be drawn, with help if possible
+    std::string error;      // why the picture cannot be drawn
+    std::string help = {};  // what the user can do about it; may be empty
     bool whole(const PictureSize& size) const { return width >= size.width && height >= size.height; }
 };
 

@@ -122,7 +122,8 @@ std::string PictureSaver::begin(const Document& document, const Picture& shown, 
     work->size = {asked.width, asked.height, asked.samples, app::holds_floats(work->files.front())};
     work->tiling = app::tile(work->size, limits_, caps_, largest_part);
     work->transparent = asked.transparent;
-    if (!work->tiling.error.empty()) return work->tiling.error;
+    if (const app::Tiling& tiling = work->tiling; !tiling.error.empty())
+        return tiling.help.empty() ? tiling.error : tiling.error + ": " + tiling.help;
     work_ = std::move(work);
     picture.progress = 0;
     return {};

@@ -120,7 +120,7 @@ private:
     gl::Caps caps_;
     Patience patience_;
     bool shown_ = false;     // whether the window was shown
-    PixelSize scenes_size_;  // of the window with the last scene that sets its size
+    PixelSize scenes_size_;  // of the window as the scene that it began with has set it
     Workspace workspace_;
     Measuring measuring_;
     Picking picking_;
@@ -142,6 +142,7 @@ private:
 };
 
 constexpr double look_at_files = .1;    // seconds between looks
+constexpr double until_placed = 1;      // seconds in which screens give a new window its size
 constexpr double frame_time = 1. / 60;  // seconds; for animated scenes if the screen sets no pace
 constexpr double until_still = .5;      // seconds without input, after which programs are compiled for the values
 constexpr int until_equal = 3;          // frames: Dear ImGui answers some input, and measures messages, a frame late
@@ -238,7 +239,7 @@ bool App::own_size() {
 void App::remember_size() {
     if (options_.size || window_->full_screen()) return;
     const PixelSize size = window_->size();
-    if (own_size()) scenes_size_ = size;
+    if (own_size() && window_->now() < began_ + until_placed) scenes_size_ = size;
     if (size == scenes_size_) return;
     const double scale = window_->content_scale();
     workspace_.resized(static_cast<int>(std::lround(size.width / scale)),

@@ -157,7 +157,7 @@ void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
         for (const auto& uniforms : shown->runtime->active_uniforms()) linked_.push_back(whole || !uniforms.empty());
         facts.linked = linked_;
     }
-    keeper_.tell(facts, document());
+    keeper_.tell(facts, document(), memory.animated);
     unsaved_ = facts.changed;
     opener_.tell(facts, session_.path(), session_.files(), memory.browser.open);
 }

@@ -1,4 +1,4 @@
-// Decoders of image formats, used by decode_image. Internal to src/content.
+// Decoders of image formats, used by decode_image, and what a file holds by its first bytes and by its name.
 #pragma once
 
 #include <string>

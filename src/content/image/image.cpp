@@ -28,9 +28,7 @@ ImageResult not_a_picture(std::string_view format) {
         return image_failed("image-unreadable", "the file is a Git LFS pointer, not an image",
                             "run 'git lfs pull' to download the images");
     }
-    std::string name(format);
-    for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
-    return image_failed("image-unreadable", "the file contains " + name + ", not an image",
+    return image_failed("image-unreadable", "the file contains " + raised(format) + ", not an image",
                         format == "html" ? "download the image itself, not the page that shows it"
                                          : "save the image as PNG, JPEG, BMP, HDR or EXR");
 }

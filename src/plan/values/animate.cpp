@@ -48,6 +48,14 @@ void animate(Controls& controls, std::vector<Animated>& animated, double time) {
     }
 }
 
+Controls at_rest(Controls controls, std::span<const Animated> animated) {
+    for (const Animated& motion : animated)
+        if (Control* control = controls.find(motion.program, motion.name);
+            control && motion.component < std::min(control->value.size(), control->initial.size()))
+            control->value[motion.component] = control->initial[motion.component];
+    return controls;
+}
+
 void set_logarithmic(Animated& motion, const Control& control, bool logarithmic, double time) {
     if (motion.logarithmic == logarithmic || motion.component >= control.value.size()) return;
     const double cycles = (time - motion.start) / motion.period;

@@ -2,6 +2,7 @@
 // values, in the window and in saved pictures.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ void animate(Controls& controls, std::vector<Animated>& animated, double time);
 // The value of this moment stays.
 void set_period(Animated& motion, double period, double time);
 void set_logarithmic(Animated& motion, const Control& control, bool logarithmic, double time);
+// The controls with the scene's own values where they move: what a file would hold of a motion is the moment of saving.
+Controls at_rest(Controls controls, std::span<const Animated> animated);
 // stop() ends the motion of a component, stop_all() those of a program.
 void stop(std::vector<Animated>& animated, const Control& control, std::size_t component);
 void stop_all(std::vector<Animated>& animated, Index program);

@@ -25,7 +25,9 @@ namespace snell::ui {
 namespace {
 
 constexpr const char* no_error = "none";
-constexpr double equal = 1e-6;  // sums of the same values in another order differ by less
+// Half a level of 16 bits. Sums of the same values in another order differ by less, and so does a large picture in
+// which an edge falls differently in one sample of a pixel.
+constexpr double equal = .5 / 65535;
 
 constexpr const char* error_meaning =
     "The error is the root mean square difference of light from the reference\n(the last rung of every ladder) over "
@@ -34,6 +36,9 @@ constexpr const char* error_meaning =
 constexpr const char* halves_meaning =
     "The error is the root mean square difference of light between the two halves\nover the whole picture, where "
     "white is 1";
+constexpr const char* worst_meaning =
+    "\nWorst: the row's error, the largest of all views and values that were tried,\n"
+    "over the pixels in which the scene draws";
 
 // Draws dimmed text at the right end of the line, if there is room.
 void remark(const Text& text) {
@@ -53,10 +58,9 @@ void figures(const Facts& all, Layout& layout) {
         ImGui::PopTextWrapPos();
         return;
     }
-    const std::string error = error_text(facts.error);
-    const char* of = error == no_error ? "" : " of white";
-    ImGui::TextUnformatted(facts.samples > 0 ? Text("error {}{}", error, of).c_str() : "\u2026");
-    if (facts.samples > 0 && ImGui::IsItemHovered()) tip(error_tip(facts));
+    const FoundRow* const rung = all.found ? shown_row(*all.found) : nullptr;
+    fitted(facts.samples > 0 ? error_line(facts.error, rung) : "\u2026", ImGui::GetContentRegionAvail().x);
+    if (facts.samples > 0) tip(error_tip(facts) + (rung && rung->error ? std::string(worst_meaning) : ""));
     layout.note("accuracy.error");
     remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
@@ -242,6 +246,12 @@ std::string error_tip(const AccuracyFacts& facts) {
     return fmt::format("{};\nthe largest is {}, {},\nand the root mean square of display values {}.",
                        facts.of_scene ? halves_meaning : error_meaning, error_text(facts.largest), ratio,
                        error_text(facts.of_display));
+}
+
+std::string error_line(double error, const FoundRow* rung) {
+    const std::string here = error_text(error), worst = rung && rung->error ? error_text(*rung->error) : here;
+    const std::string text = fmt::format("error {}{}", here, here == no_error ? "" : " of white");
+    return worst == here ? text : fmt::format("{} here, worst {}", text, worst);
 }
 
 std::string error_text(double error) {

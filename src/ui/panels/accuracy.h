@@ -19,6 +19,7 @@
 namespace snell::ui {
 
 struct Facts;
+struct FoundRow;
 struct Requests;
 
 // Error and cost of one choice of rungs that was drawn.
@@ -101,6 +102,8 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
 
 std::string milliseconds_text(double milliseconds);
 std::string error_text(double error);  // ".0031"; "none" if it is only rounding, "unknown" if it is NaN
+// Of the picture that is shown; if it is that of a found rung, with the rung's own, where they differ.
+std::string error_line(double error, const FoundRow* rung);
 // One sentence, with what else is known of the error.
 std::string error_tip(const AccuracyFacts& facts);
 std::string standing_text(const AccuracyPoint& point);  // such as "worth its time"; empty if the point was not compared

@@ -46,12 +46,15 @@ std::string errors_of(const FoundRow& row) {
         return loading + (loading.empty() || memory.empty() ? "" : ", ") + memory;
     }
     if (!row.error) return {};
-    return (row.group == Group::better ? "the scene's error " : "error ") + error_and_flip(*row.error, row.flip);
+    return (row.group == Group::better ? "the scene's worst error " : "worst error ") +
+           error_and_flip(*row.error, row.flip);
 }
 
 std::string tip_of(const FoundRow& row) {
     std::string text = fmt::format("{}: {}\n{}\n\u2192 {}", row.kind, row.meaning, row.before,
                                    row.after.empty() ? "(nothing)" : row.after);
+    if (row.error)
+        text += "\nworst error: of all views and values that were tried, over the pixels in which the scene draws";
     if (row.error_here) text += "\nas the scene opens: error " + error_and_flip(*row.error_here, row.flip_here);
     if (row.flip || row.flip_here) text += "\nFLIP: how much of it is seen, from 0 to 1";
     if (row.of_display) text += fmt::format("\nerror of display values {}", error_text(*row.of_display));
@@ -116,7 +119,7 @@ void row(const Facts& facts, const FoundRow& row, Requests& requests, Layout& la
     const bool over = ImGui::IsItemHovered();
     const ImVec2 below = ImGui::GetCursorPos();
     layout.note("found.row", row.name);
-    if (over && ImGui::GetIO().MousePos.y < at.y + line) tip(tip_of(row));
+    if (over) tip(tip_of(row));
     if (row.front)
         ImGui::GetWindowDrawList()->AddCircleFilled({at.x + indent * .4F, at.y + line * .5F}, em * .24F,
                                                     ImGui::GetColorU32(palette().accent));
@@ -237,6 +240,11 @@ bool found_keys(const Facts& facts, Requests& requests) {
     if (!facts.found || facts.found->shown.empty() || !pressed(Key::escape)) return false;
     requests.show_rung = "";
     return true;
+}
+
+const FoundRow* shown_row(const FoundFacts& facts) {
+    const auto row = ranges::find(facts.rows, facts.shown, &FoundRow::name);
+    return facts.shown.empty() || row == facts.rows.end() ? nullptr : &*row;
 }
 
 std::string found_text(const FoundFacts& facts) {

@@ -60,6 +60,8 @@ struct FoundFacts {
 void found_rungs(const Facts& facts, Requests& requests, Layout& layout);
 // Escape shows the scene again if a found rung is shown. Returns true if it did.
 bool found_keys(const Facts& facts, Requests& requests);
+// The row of the rung that is shown; null if there is none.
+const FoundRow* shown_row(const FoundFacts& facts);
 // Names the rung that is shown, such as "found rung 3".
 std::string found_text(const FoundFacts& facts);
 // Formats a ratio of times, such as "×.72" or "×1.3".

@@ -1,4 +1,7 @@
 // Each scene is as it was last; snapshots, and scenes under another name.
+#include <chrono>
+#include <thread>
+
 #include "tests/gui/history/past.h"
 
 namespace snell::test {
@@ -217,6 +220,13 @@ TEST_F(Past, ASizeIsRememberedIfTheUserChoseItInTheWindow) {
     show("two.glib");
     EXPECT_EQ(state()["size"], small);
     EXPECT_EQ(remembered(), std::pair(0, 0)) << "the scene chose it";
+    open("small.glib", {"--size", ""});
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it is placed by then
+    resize(720, 510);
+    ASSERT_TRUE(wait([&](const json&) {
+        return json::parse(bytes("state/snell/window.json"), nullptr, false).value("width", 0) == 720;
+    })) << "while it runs: a window that is killed says nothing";
+    EXPECT_EQ(remembered(), std::pair(720, 510)) << "the user chose another one";
     open("small.glib", {"--size", ""});
     show("two.glib");
     resize(700, 500);

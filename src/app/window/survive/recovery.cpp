@@ -52,7 +52,7 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     std::string name = dialog.file.data();
     const std::string last = name.substr(name.rfind('/') + 1);
     if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
-    SavedAs saved = saved_as(document, name);
+    SavedAs saved = saved_as(document, name, memory.animated);
     // Its snapshots have that name, too, in place of those that were there.
     const std::string snapshots = content::whole_file(snapshots_file(document.path)),
                       others = snapshots_file(saved.file.path), there = content::whole_file(others);
@@ -72,10 +72,10 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
 
 }  // namespace
 
-void Keeper::tell(ui::Facts& facts, const Document* document) {
+void Keeper::tell(ui::Facts& facts, const Document* document, std::span<const Animated> moving) {
     if (looked_ != facts.revision) look_again();
     looked_ = facts.revision;
-    facts.changed = document && document->runtime && changed_values(*document) > 0;
+    facts.changed = document && document->runtime && changed_values(*document, moving) > 0;
     facts.snapshots = snapshots_;
 }
 
@@ -97,7 +97,7 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
 }
 
 void Keeper::save(const Document& document, ui::Memory& memory, Served& served) {
-    Saved saved = saved_values(document);
+    Saved saved = saved_values(document, memory.animated);
     const bool changed = !saved.error.empty();  // by another program, or it is gone
     if (saved.error.empty()) saved.error = write_saved(saved.files);
     if (!saved.error.empty()) {
@@ -117,6 +117,9 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
         notice += " " + printable_name(file.path);
         served.what += " " + printable_name(file.path);
     }
+    if (!saved.moving.empty())
+        notice += fmt::format("; not {}, which {}", utf8::printable(fmt::format("{}", fmt::join(saved.moving, ", "))),
+                              saved.moving.size() == 1 ? "moves" : "move");
     std::string unwritten;
     for (const Unwritten& value : saved.unwritten)
         unwritten += fmt::format("{}{}: {}", unwritten.empty() ? "not saved: " : "\n", value.name, value.reason);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +34,7 @@ public:
     explicit Keeper(std::string scene) : scene_(std::move(scene)) {}
 
     // Fills in what the panels show: whether values changed, and the snapshots.
-    void tell(ui::Facts& facts, const Document* document);
+    void tell(ui::Facts& facts, const Document* document, std::span<const Animated> moving);
     // Looks for the snapshots again, after their file may have changed.
     void look_again() { snapshots_ = snapshots_there(scene_); }
     // Results that Workspace and Past need.
