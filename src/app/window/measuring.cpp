@@ -64,7 +64,7 @@ std::string Measuring::serve(const ui::Requests& requests, Document* document, c
                              ui::Memory& memory) {
     if (requests.measure) accuracy_.measure(memory.accuracy);
     if (requests.measure_frame) frame_costs_.measure();
-    if (requests.store_snapshot > 0) states_.reread_snapshots();
+    if (requests.store_snapshot > 0 || requests.delete_snapshot > 0) states_.reread_snapshots();
     if (requests.find_rungs || requests.show_rung) accuracy_.leave_pair();
     if (document) found_.serve(requests, *document, display.drawn().stand, memory);
     return requests.copy_rung ? found_.command() : "";
