@@ -58,7 +58,7 @@ Strips::Strips(int width, int height, double milliseconds) : width_(width), heig
 
 PixelRect Strips::next() const {
     constexpr int narrowest = 8;
-    if (pixels_ >= static_cast<double>(width_) * height_) return {0, 0, width_, height_};
+    if (left_ == 0 && pixels_ >= static_cast<double>(width_) * height_) return {0, bottom_, width_, height_ - bottom_};
     const int rows = static_cast<int>(pixels_ / width_) / block * block;
     if (left_ == 0 && rows > 0) return {0, bottom_, width_, std::min(rows, height_ - bottom_)};
     const int columns = std::max(static_cast<int>(pixels_ / block / block) * block, narrowest);
@@ -80,12 +80,14 @@ bool Strips::draw(const std::function<double(const PixelRect&)>& timed) {
         find_fixed(pixels, milliseconds);
         // Smaller strips would only be more of what does not grow with them, which so is a third of each at most.
         const double fit = pixels * (std::max(aim, 3 * fixed_) - fixed_) / std::max(milliseconds - fixed_, 1e-3);
-        pixels_ = std::min(std::clamp(fit, pixels_ * slower, pixels_ * quicker), most_);
+        const double all = static_cast<double>(width_) * height_;
+        pixels_ = fixed_ > aim ? std::min(std::clamp(fit, pixels, 4 * pixels), all)
+                               : std::min(std::clamp(fit, pixels_ * slower, pixels_ * quicker), most_);
     }
     return bottom_ >= height_;
 }
 
-// By the last two strips, if one is larger by far: on a busy machine each waits for a processor.
+// By the last two strips, if one is larger by far: all vertices, and on a busy machine the wait for a processor.
 void Strips::find_fixed(double pixels, double milliseconds) {
     const auto [before, took] = std::exchange(last_, {pixels, milliseconds});
     if (std::abs(before - pixels) < .1 * std::max(before, pixels) || before == 0) return;

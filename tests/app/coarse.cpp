@@ -181,10 +181,10 @@ TEST(Strips, CoverThePictureAndNoneTakesLong) {
                 }
 }
 
-// As on a busy machine, where each strip waits for a processor first.
+// As where vertices take long, or on a busy machine, where each strip waits for a processor first.
 TEST(Strips, AreFewWhereEachTakesLongHoweverSmallItIs) {
     for (const double ms : {2e3, 5e3, 20e3})
-        for (const double fixed : {20., 60., 120.}) {
+        for (const double fixed : {20., 60., 120., 300., 1500.}) {
             const Drawing drawing{1280, 720, 0, 720, ms};
             Strips strips(1280, 720, ms);
             double all = 0;
@@ -193,7 +193,7 @@ TEST(Strips, AreFewWhereEachTakesLongHoweverSmallItIs) {
                     all += drawing.of(strip) + fixed;
                     return drawing.of(strip) + fixed;
                 });
-            EXPECT_LT(all, ms * 2.1) << ms << " ms, " << fixed << " for each strip";
+            EXPECT_LT(all, ms * 2.1 + 8 * fixed) << ms << " ms, " << fixed << " for each strip";
         }
 }
 

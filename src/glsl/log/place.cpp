@@ -1,9 +1,11 @@
 // From the place that a driver names in the translated text to the user's own.
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <set>
 
+#include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/glsl/log/log.h"
 
@@ -207,9 +209,12 @@ void blame_unfinished(Entry& entry, Place& found, const Context& context) {
     const auto file_of = [&](int string) { return context.stage->files[static_cast<std::size_t>(string)]; };
     std::map<int, int> before;  // the texts that begin before the entry, and the last line of each before it
     int last = -1;
-    bool numbered = false;
-    for (const Row& row : rows_of(context.stage->text)) {
-        numbered = numbered || row.line == 0;  // what comes before is the translation's own
+    const std::vector<Row> rows = rows_of(context.stage->text);
+    const auto numbering = ranges::find(rows, 0, &Row::line);
+    // What comes before the first number of the text is the translation's own.
+    bool numbered = numbering != rows.end() && std::next(numbering) != rows.end() && std::next(numbering)->string > 0;
+    for (const Row& row : rows) {
+        numbered = numbered || row.line == 0;
         if (!numbered || row.line == 0 || words(row.text).empty()) continue;
         if (row.string == entry.string && row.line == entry.line && entry.kind != Kind::end_of_file) break;
         if (static_cast<std::size_t>(row.string) >= context.stage->files.size()) continue;
