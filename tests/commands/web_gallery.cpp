@@ -1,4 +1,6 @@
 // Galleries: every scene is in the index, whatever is wrong with it.
+#include <fmt/format.h>
+
 #include "tests/commands/web.h"
 
 namespace snell::test {
@@ -60,7 +62,8 @@ TEST_F(WebGallery, EverySceneIsInTheIndex) {
         << "each page finds its neighbours in it";
     EXPECT_EQ(unpack("out/bob-ball.html", "un")["scene"], "ball.glib");
     EXPECT_EQ(bytes_of(at("un/wood.bmp")), bytes_of(at("wood.bmp")));
-    ASSERT_EQ(web("--gallery class -o again").status, 0);
+    const Outcome within = web("--gallery class ./class class/ann -o again");
+    EXPECT_TRUE(within.says("3 of 5 scenes")) << "each once: " << within.output;
     for (const std::string& name : found) EXPECT_EQ(bytes_of(at("again/" + name)), bytes_of(at("out/" + name))) << name;
 }
 
@@ -80,7 +83,7 @@ TEST_F(WebGallery, PagesAreNamedAfterTheirScenes) {
         EXPECT_EQ(count(index, link), 1u) << link;
 }
 
-// The others have their pages all the same.
+// The others have their pages all the same. On a busy machine they take their time, too.
 TEST_F(WebGallery, ASceneThatTakesForeverEndsNothingElse) {
     std::string loops;
     for (int i = 0; i < 8; ++i) loops += "  for (int i = 0; i < 60000; ++i) x = fract(sin(x + uOne) * 43758.5);\n";
@@ -88,26 +91,34 @@ TEST_F(WebGallery, ASceneThatTakesForeverEndsNothingElse) {
                                             "  gl_FragColor = vec4(x);\n}\n");
     folder.write("class/ann/a.glib",
                  "LookAt 0 0 4 0 0 0 0 1 0\nPerspective 90\nFragment slow.frag\nProgram P uOne 1.\nQuadXY 0. 9.\n");
-    const Outcome made = web("--gallery class/ann -o out --timeout 1.5");
-    EXPECT_EQ(made.status, 0) << made.output;
-    EXPECT_TRUE(made.says("1 of 2 scenes")) << made.output;
-    EXPECT_NE(bytes_of(at("out/index.html")).find("takes longer than 1.5 seconds"), std::string::npos);
-    EXPECT_FALSE(there("out/a.html"));
+    for (double timeout = .5; timeout < 60 && !there("out/ball.html"); timeout *= 2) {
+        const Outcome made = web(fmt::format("--gallery class/ann -o out --timeout {}", timeout));
+        EXPECT_EQ(made.status, 0) << made.output;
+        EXPECT_EQ(made.says("1 of 2 scenes"), there("out/ball.html")) << made.output;
+        EXPECT_NE(bytes_of(at("out/index.html")).find(fmt::format("takes longer than {} seconds", timeout)),
+                  std::string::npos);
+        EXPECT_FALSE(there("out/a.html"));
+    }
     EXPECT_TRUE(there("out/ball.html"));
 }
 
-TEST_F(WebGallery, ItMayBeMadeAgainAndLeavesOtherFilesAlone) {
+TEST_F(WebGallery, ItIsMadeAgainAndPagesOfScenesThatHaveBecomeBrokenAreRemoved) {
+    folder.write("class/ann/other.glib", "Sphere 1\n");
     folder.write("out/notes.txt", "mine");
     ASSERT_EQ(web("--gallery class/ann -o out").status, 0);
-    const std::string old = bytes_of(at("out/index.html"));
-    ASSERT_EQ(web("--gallery class/ann class/bob -o out").status, 0);
-    EXPECT_EQ(bytes_of(at("out/notes.txt")), "mine");
+    const std::string old = bytes_of(at("out/index.html")), other = bytes_of(at("out/other.html"));
+    EXPECT_TRUE(there("out/ball.html"));
+    folder.write("class/ann/ball.glib", "Sphre 1\n");
+    const Outcome made = web("--gallery class/ann -o out");
+    EXPECT_EQ(made.status, 0) << made.output;
+    EXPECT_TRUE(made.says("removed 'out/ball.html'")) << made.output;
+    EXPECT_FALSE(there("out/ball.html"));
     EXPECT_NE(bytes_of(at("out/index.html")), old);
-    folder.write("site/index.html", "my own page");
-    EXPECT_EQ(web("--gallery class/ann -o site").status, 2);
-    EXPECT_EQ(bytes_of(at("site/index.html")), "my own page");
-    const Outcome within = web("--gallery class/ann class ./class -o out");
-    EXPECT_TRUE(within.says("3 of 5 scenes")) << "each once: " << within.output;
+    EXPECT_EQ(bytes_of(at("out/other.html")), other);
+    EXPECT_EQ(bytes_of(at("out/notes.txt")), "mine") << "other files are left alone";
+    const Outcome again = web("--gallery class/ann -o out");
+    EXPECT_EQ(again.status, 0);
+    EXPECT_FALSE(again.says("removed")) << again.output;
 }
 
 TEST_F(WebGallery, ItReplacesOnlyFilesOfAGallery) {
@@ -116,6 +127,7 @@ TEST_F(WebGallery, ItReplacesOnlyFilesOfAGallery) {
     const std::string single = bytes_of(at("single.html"));
     const std::map<std::string, std::string> mine{{"ball.html", "<!DOCTYPE html>my own page"},
                                                   {"runtime.js", "// runtime\n"},
+                                                  {"index.html", "my own page"},
                                                   {"single.html", single}};  // made by snell, but for no gallery
     for (const auto& [name, bytes] : mine) {
         folder.write("site/" + name, bytes);
@@ -129,21 +141,6 @@ TEST_F(WebGallery, ItReplacesOnlyFilesOfAGallery) {
     fs::create_directories(at("site/ball.html"));
     EXPECT_EQ(web("--gallery class/ann -o site").status, 2);
     EXPECT_FALSE(there("site/single.html"));
-}
-
-TEST_F(WebGallery, APageOfASceneThatHasBecomeBrokenIsRemoved) {
-    folder.write("class/ann/other.glib", "Sphere 1\n");
-    ASSERT_EQ(web("--gallery class/ann -o out").status, 0);
-    const std::string other = bytes_of(at("out/other.html"));
-    folder.write("class/ann/ball.glib", "Sphre 1\n");
-    const Outcome made = web("--gallery class/ann -o out");
-    EXPECT_EQ(made.status, 0) << made.output;
-    EXPECT_TRUE(made.says("removed 'out/ball.html'")) << made.output;
-    EXPECT_FALSE(there("out/ball.html"));
-    EXPECT_EQ(bytes_of(at("out/other.html")), other);
-    const Outcome again = web("--gallery class/ann -o out");
-    EXPECT_EQ(again.status, 0);
-    EXPECT_FALSE(again.says("removed")) << again.output;
 }
 
 TEST_F(WebGallery, ItOverwritesNoFileOfAScene) {

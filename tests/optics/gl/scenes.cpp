@@ -50,16 +50,20 @@ protected:
         return gl::read_rgba32f(other.framebuffer.get(), side, side, other.samples);
     }
 
+    // What no program on the current rungs reads changes no picture.
     std::vector<std::size_t> adjustable() const {
         std::vector<std::size_t> found;
         for (std::size_t i = 0; i < document->controls.items.size(); ++i)
-            if (document->controls.items[i].widget != Widget::none) found.push_back(i);
+            if (const Control& c = document->controls.items[i]; c.widget != Widget::none && c.active)
+                found.push_back(i);
         return found;
     }
     // Values that are not finite, over all four corners of every pair of controls, the others as the scene has them.
+    // Where that is an end, pairs have corners in common: each is drawn once.
     double corners() {
         std::vector<Control>& items = document->controls.items;
         const std::vector<std::size_t> all = adjustable();
+        std::set<std::vector<std::vector<double>>> drawn;
         double bad = 0;
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = 0; b < a; ++b)
@@ -67,24 +71,30 @@ protected:
                     const Control before[] = {items[all[a]], items[all[b]]};
                     set(items[all[a]], (corner & 1) != 0);
                     set(items[all[b]], (corner & 2) != 0);
-                    bad += not_finite(values(16, 1, {}, 0));
+                    std::vector<std::vector<double>> place;
+                    for (const Control& control : items) place.push_back(control.value);
+                    if (drawn.insert(place).second) bad += not_finite(values(16, 1, {}, 0));
                     items[all[a]] = before[0], items[all[b]] = before[1];
                 }
         return bad;
     }
-    // The same, all controls at their ends at once. Ten pictures do for 126 controls: in picture k a control has bit k
-    // of its number, which has five ones of ten, the last bit zero. Two such numbers have each of 00, 01, 10 and 11
-    // somewhere.
+    // The same, all controls at their ends at once, in as few pictures as do: in picture k a control has bit k of its
+    // number, which has more ones than zeros, as many as each other, and a zero in the last picture. Two such numbers
+    // have each of 00, 01, 10 and 11 somewhere. Six pictures do for 10 controls.
     double ends() {
+        const std::vector<std::size_t> all = adjustable();
+        unsigned last = 0;
         std::vector<unsigned> numbers;
-        for (unsigned n = 0; n < 512; ++n)
-            if (std::popcount(n) == 5) numbers.push_back(n);
+        for (; numbers.size() < all.size(); ++last) {
+            numbers.clear();
+            for (unsigned n = 0; n < 2U << last; ++n)
+                if (std::popcount(n) == static_cast<int>(last + 1) / 2 + 1) numbers.push_back(n);
+        }
         const std::vector<Control> before = document->controls.items;
         double bad = 0;
-        for (unsigned picture = 0; picture < 10; ++picture) {
-            std::size_t next = 0;
-            for (const std::size_t i : adjustable())
-                set(document->controls.items[i], (numbers.at(next++) >> picture & 1) != 0);
+        for (unsigned picture = 0; picture <= last; ++picture) {
+            for (std::size_t i = 0; i < all.size(); ++i)
+                set(document->controls.items[all[i]], (numbers[i] >> picture & 1) != 0);
             bad += not_finite(values(16, 1, {}, 0));
         }
         document->controls.items = before;
