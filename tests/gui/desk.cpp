@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <thread>
 
 #include "tests/gui/desk.h"
@@ -85,12 +86,34 @@ struct Server {
     std::string display;
 };
 
+// The window of a suite, and what it remembers; the tests' scenes are in their own folders.
+struct Shared {
+    std::string display;
+    std::vector<std::string> options;
+    Scratch folder;
+    pid_t window = 0;
+};
+
+std::unique_ptr<Shared>& shared() {
+    static std::unique_ptr<Shared> window;
+    return window;
+}
+
+constexpr std::array own_folders{"out", "state", "cache"};
+
+// What windows started from now on remember from run to run is in there.
+void remember_in(const Scratch& folder) {
+    setenv("XDG_STATE_HOME", folder.path("state").c_str(), 1);
+    setenv("XDG_CACHE_HOME", folder.path("cache").c_str(), 1);
+}
+
 // One display for all tests of its size, as long as each leaves it as it was: it takes a third of what a window takes.
 class Servers {
 public:
     static const Server& of(const std::string& screen) {
         static Servers all;
         Server& server = all.servers_[screen];
+        if (shared()) return server;
         // The last window's connection may close a moment after its process.
         for (int look = 0; look < 20 && !server.display.empty(); ++look, sleep(.01))
             if (renew(server.display)) return server;
@@ -178,6 +201,23 @@ std::string move(double x, double y) {
     return "mousemove " + std::to_string(static_cast<int>(x)) + " " + std::to_string(static_cast<int>(y));
 }
 
+// By its button: sanitizers look for leaks when a program ends by itself.
+void close_window(pid_t& window, const std::string& display) {
+    if (window <= 0) return;
+    close_windows(display);
+    int status = 0;
+    pid_t ended = 0;
+    for (int look = 0; look < 1000 && ended == 0; ++look) {
+        ended = waitpid(window, &status, WNOHANG);
+        if (ended == 0) sleep(.02);
+    }
+    EXPECT_NE(ended, 0) << "the window does not close";
+    if (ended == window) {
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) != finding_status);
+    }
+    if (ended != 0) window = 0;
+}
+
 }  // namespace
 
 Pixel Picture::at(double x, double y) const {
@@ -191,12 +231,14 @@ void Desk::SetUp() {
     for (const char* program : {"Xvfb", "xdotool", "import"})
         if (!installed(program)) GTEST_SKIP() << program << " is not installed";
     std::filesystem::create_directory(file("out"));
-    // What windows remember from run to run is the test's own.
-    setenv("XDG_STATE_HOME", file("state").c_str(), 1);
     // The driver's cache stays where it is: it takes time to fill.
     const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
     if (cache || home) setenv("MESA_SHADER_CACHE_DIR", cache ? cache : (std::string(home) + "/.cache").c_str(), 0);
-    setenv("XDG_CACHE_HOME", file("cache").c_str(), 1);
+    remember_in(folder_);
+    connect();
+}
+
+void Desk::connect() {
     const Server& server = Servers::of(screen_);
     server_ = server.process;
     display_ = server.display;
@@ -204,27 +246,19 @@ void Desk::SetUp() {
 }
 
 void Desk::TearDown() {
-    if (sanitized && !HasFailure()) close_window();
     if (HasFailure())
         for (const char* name : {"out/state.json", "out/errors"}) std::cerr << bytes(name) << '\n';
+    if (shares_ && !HasFailure()) return;
+    if (shares_) shared().reset();
+    if (sanitized && !HasFailure()) close_window(window_, display_);
     end(window_);
 }
 
-// By its button: sanitizers look for leaks when a program ends by itself.
-void Desk::close_window() {
-    if (window_ <= 0) return;
-    close_windows(display_);
-    int status = 0;
-    pid_t ended = 0;
-    for (int look = 0; look < 1000 && ended == 0; ++look) {
-        ended = waitpid(window_, &status, WNOHANG);
-        if (ended == 0) sleep(.02);
-    }
-    EXPECT_NE(ended, 0) << "the window does not close";
-    if (ended == window_) {
-        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) != finding_status);
-    }
-    if (ended != 0) window_ = 0;
+void Desk::end_shared() {
+    if (!shared()) return;
+    if (sanitized) close_window(shared()->window, shared()->display);
+    end(shared()->window);
+    shared().reset();
 }
 
 void Desk::save(const std::string& name, const std::string& text, bool in_place) {
@@ -233,8 +267,49 @@ void Desk::save(const std::string& name, const std::string& text, bool in_place)
     if (!in_place) std::filesystem::rename(fresh, target);
 }
 
-void Desk::open(const std::string& scene, std::vector<std::string> more) {
-    std::vector<std::string> words{SNELL_BIN "/snell", "--state", file("out/state.json")};
+void Desk::open(const std::string& scene, const std::vector<std::string>& more) {
+    if (shared()) {
+        end_shared();
+        connect();
+    }
+    begin(scene, more);
+}
+
+void Desk::share(const std::string& scene, const std::vector<std::string>& more) {
+    if (shared() && shared()->options != more) {
+        end_shared();
+        connect();
+    }
+    const bool there = shared() != nullptr;
+    if (!there) {
+        shared() = std::make_unique<Shared>(display_, more);
+        for (const char* name : own_folders) std::filesystem::create_directory(shared()->folder.path(name));
+    }
+    for (const char* name : own_folders) {
+        std::filesystem::remove(file(name));
+        std::filesystem::create_directory_symlink(shared()->folder.path(name), file(name));
+    }
+    shares_ = true;
+    if (there) {
+        window_ = shared()->window;
+        user("mousemove 512 384");
+        ASSERT_TRUE(drop_files(display_, {file(scene)}));
+        ASSERT_TRUE(wait([&](const auto& s) { return s["file"] == file(scene); }));
+        settle();
+        return;
+    }
+    remember_in(shared()->folder);
+    std::vector<std::string> longer = more;
+    longer.insert(longer.end(), {"--exit-after", std::to_string(static_cast<int>(600 * patience))});
+    begin(scene, longer);
+    shared()->window = window_;
+    remember_in(folder_);
+}
+
+void Desk::begin(const std::string& scene, std::vector<std::string> more) {
+    // A window that is shared outlives the test's folder, and the link there.
+    const std::string told = std::filesystem::canonical(file("out")) / "state.json";
+    std::vector<std::string> words{SNELL_BIN "/snell", "--state", told};
     if (!scene.empty()) words.push_back(file(scene));
     const auto otherwise = [&](const char* option, const std::string& value) {
         if (std::find(more.begin(), more.end(), option) == more.end()) words.insert(words.end(), {option, value});
@@ -254,8 +329,9 @@ void Desk::open(const std::string& scene, std::vector<std::string> more) {
 }
 
 void Desk::end_window() {
+    ASSERT_FALSE(shares_) << "the window is the suite's";
     if (running()) settle();
-    if (sanitized) close_window();
+    if (sanitized) close_window(window_, display_);
     end(window_);
     std::filesystem::remove(file("out/state.json"));
 }
@@ -311,7 +387,8 @@ bool Desk::wait(const std::function<bool(const nlohmann::json&)>& holds, double 
 }
 
 void Desk::settle() const {
-    const std::string question = std::to_string(++questions_);
+    static int questions = 0;
+    const std::string question = std::to_string(++questions);
     ASSERT_TRUE(tell_windows(display_, [&] {
         const std::string target = file("out/state.json.ask");
         std::ofstream(target + "~") << question << '\n';

@@ -33,6 +33,7 @@ protected:
     explicit Desk(std::string screen = "1024x768x24") : screen_(std::move(screen)) {}
     void SetUp() override;
     void TearDown() override;
+    static void TearDownTestSuite() { end_shared(); }
 
     // Writes a file into the test's own folder, as an editor would: a new file renamed over the old one, or in
     // place.
@@ -44,7 +45,11 @@ protected:
 
     // Opens a window on `scene` and waits for its first picture; on a folder or "", for its panels. Of `more`, "--size"
     // with "" leaves the size to the window.
-    void open(const std::string& scene, std::vector<std::string> more = {});
+    void open(const std::string& scene, const std::vector<std::string>& more = {});
+    // Shows it in the window that the last test of the suite left, if that had shared one with the same options and
+    // nothing failed in it, or opens one. The scene is as new, since this folder is; what belongs to the window (its
+    // size, its looks, panels, whether time stands) is as it was left.
+    void share(const std::string& scene, const std::vector<std::string>& more = {});
     // Ends the window, once what it remembers is written, so that another can be opened.
     void end_window();
     // The exit status of the program with these arguments.
@@ -87,13 +92,15 @@ protected:
     std::string display_;
 
 private:
-    void close_window();
+    void connect();
+    void begin(const std::string& scene, std::vector<std::string> more);
     bool running() const;
+    static void end_shared();
 
     std::string screen_;
     Scratch folder_;
     pid_t server_ = 0, window_ = 0;
-    mutable int questions_ = 0;
+    bool shares_ = false;
 };
 
 }  // namespace snell::test

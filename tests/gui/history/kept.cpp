@@ -9,51 +9,20 @@ namespace {
 
 using nlohmann::json;
 
-TEST_F(Past, AnotherSceneAndBackIsAsItWas) {
+TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {
+    save("two.glib", scene("uRed", "QuadXY 0. 1.\n"));
     open("one.glib");
-    slide(.75);
-    turn();
+    EXPECT_EQ(state()["view"]["axes"], true);
+    show("two.glib");
+    EXPECT_EQ(state()["view"]["axes"], false);
     choose("view", "axes");
-    const json before = state();
-    show("two.glib");
-    EXPECT_EQ(red(), .2);
-    EXPECT_EQ(view(), "");
-    slide(.5);
     show("one.glib");
-    EXPECT_EQ(state()["controls"], before["controls"]);
-    EXPECT_EQ(state()["view"], before["view"]);
-    EXPECT_EQ(notice(), "values and view of last time");
-    press("ctrl+z");
-    press("ctrl+z");
-    EXPECT_EQ(view(), "") << "its own steps";
-    EXPECT_EQ(red(), before["controls"]["Paint.uRed"][0]);
-}
-
-TEST_F(Past, WhatCouldNotBeStoredWaitsForItsScene) {
-    open("one.glib");
-    std::filesystem::create_directory(file("one.snapshots.json"));
-    slide(.75);
-    const double slid = red();
-    press("ctrl+8");
-    const std::string said = state()["failure"];
-    EXPECT_EQ(said.find("snapshot 8 is not stored: "), 0U) << said;
-    slide(.3);
+    EXPECT_EQ(state()["view"]["axes"], true);
+    choose("view", "axes");
     show("two.glib");
-    EXPECT_EQ(state()["failure"], "") << "not of this one";
+    EXPECT_EQ(state()["view"]["axes"], true);
     show("one.glib");
-    EXPECT_EQ(state()["failure"], said);
-    press("ctrl+9");
-    settle();
-    const auto at = on("failure.ok", .5);
-    user("mousemove " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " click --repeat 3 --delay 90 1");
-    settle();
-    EXPECT_EQ(state()["failure"], said) << "a double click answers one notice";
-    std::filesystem::remove(file("one.snapshots.json"));
-    click("failure.again");
-    ASSERT_TRUE(wait([](const json& s) { return s["failure"] == ""; }));
-    EXPECT_NE(red(), slid);
-    press("8");
-    EXPECT_EQ(red(), slid) << "the values of then";
+    EXPECT_EQ(state()["view"]["axes"], false);
 }
 
 TEST_F(Past, AClosedSceneIsAsItWasWhenItIsOpenedAgain) {
@@ -115,8 +84,104 @@ TEST_F(Past, RungsAreKeptAndTheCommandLineWins) {
     EXPECT_EQ(state()["controls"], before["controls"]);
 }
 
+TEST_F(Past, ASizeIsRememberedIfTheUserChoseItInTheWindow) {
+    const auto remembered = [&] {
+        end_window();
+        const json kept = json::parse(bytes("state/snell/window.json"));
+        return std::pair<int, int>(kept["width"], kept["height"]);
+    };
+    const auto resize = [&](int width, int height) {
+        user("search --sync --name snell windowsize " + std::to_string(width) + " " + std::to_string(height));
+        ASSERT_TRUE(wait([&](const json& s) { return s["size"] == json::array({width, height}); }));
+    };
+    open("one.glib", {"--size", "640x480"});
+    resize(660, 500);
+    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the command line chose it";
+    save("small.glib", "WindowSize 300 250\n" + scene("uRed"));
+    open("small.glib", {"--size", ""});
+    const json small = state()["size"];
+    show("two.glib");
+    EXPECT_EQ(state()["size"], small);
+    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the scene chose it";
+    open("small.glib", {"--size", ""});
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it is placed by then
+    resize(720, 510);
+    ASSERT_TRUE(wait([&](const json&) {
+        return json::parse(bytes("state/snell/window.json"), nullptr, false).value("width", 0) == 720;
+    })) << "while it runs: a window that is killed says nothing";
+    EXPECT_EQ(remembered(), std::pair(720, 510)) << "the user chose another one";
+    open("small.glib", {"--size", ""});
+    show("two.glib");
+    resize(700, 500);
+    EXPECT_EQ(remembered(), std::pair(700, 500));
+    open("one.glib", {"--size", ""});
+    EXPECT_EQ(state()["size"], json::array({700, 500}));
+}
+
+TEST_F(Past, NoticesAreOneLineWhateverAFileIsCalled) {
+    save("two\nlines.glib", scene("uRed"));
+    open("two\nlines.glib");
+    slide(.75);
+    press("ctrl+2");
+    EXPECT_EQ(notice(), "snapshot 2 is in two\\x0Alines.snapshots.json");
+    press("ctrl+s");
+    EXPECT_EQ(notice(), "1 value saved to two\\x0Alines.glib");
+    std::filesystem::remove(file("two\nlines.glib"));
+    slide(.3);
+    press("ctrl+s");
+    const std::string said = state()["failure"];
+    EXPECT_EQ(said.find("not saved: two\\x0Alines.glib is gone"), 0U) << said;
+}
+
+TEST_F(Past, AnotherSceneAndBackIsAsItWas) {
+    share("one.glib");
+    slide(.75);
+    turn();
+    choose("view", "axes");
+    const json before = state();
+    show("two.glib");
+    EXPECT_EQ(red(), .2);
+    EXPECT_EQ(view(), "");
+    slide(.5);
+    show("one.glib");
+    EXPECT_EQ(state()["controls"], before["controls"]);
+    EXPECT_EQ(state()["view"], before["view"]);
+    EXPECT_EQ(notice(), "values and view of last time");
+    press("ctrl+z");
+    press("ctrl+z");
+    EXPECT_EQ(view(), "") << "its own steps";
+    EXPECT_EQ(red(), before["controls"]["Paint.uRed"][0]);
+}
+
+TEST_F(Past, WhatCouldNotBeStoredWaitsForItsScene) {
+    share("one.glib");
+    std::filesystem::create_directory(file("one.snapshots.json"));
+    slide(.75);
+    const double slid = red();
+    press("ctrl+8");
+    const std::string said = state()["failure"];
+    EXPECT_EQ(said.find("snapshot 8 is not stored: "), 0U) << said;
+    slide(.3);
+    show("two.glib");
+    EXPECT_EQ(state()["failure"], "") << "not of this one";
+    show("one.glib");
+    EXPECT_EQ(state()["failure"], said);
+    press("ctrl+9");
+    settle();
+    const auto at = on("failure.ok", .5);
+    user("mousemove " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " click --repeat 3 --delay 90 1");
+    settle();
+    EXPECT_EQ(state()["failure"], said) << "a double click answers one notice";
+    std::filesystem::remove(file("one.snapshots.json"));
+    click("failure.again");
+    ASSERT_TRUE(wait([](const json& s) { return s["failure"] == ""; }));
+    EXPECT_NE(red(), slid);
+    press("8");
+    EXPECT_EQ(red(), slid) << "the values of then";
+}
+
 TEST_F(Past, AReplacedSnapshotComesBack) {
-    open("one.glib");
+    share("one.glib");
     press("ctrl+1");
     const std::string old = bytes("one.snapshots.json");
     slide(.75);
@@ -151,7 +216,7 @@ TEST_F(Past, AReplacedSnapshotComesBack) {
 }
 
 TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     turn();
     const double slid = red();
@@ -201,47 +266,13 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_FALSE(state()["widgets"].contains("save as save"));
 }
 
-TEST_F(Past, ASizeIsRememberedIfTheUserChoseItInTheWindow) {
-    const auto remembered = [&] {
-        end_window();
-        const json kept = json::parse(bytes("state/snell/window.json"));
-        return std::pair<int, int>(kept["width"], kept["height"]);
-    };
-    const auto resize = [&](int width, int height) {
-        user("search --sync --name snell windowsize " + std::to_string(width) + " " + std::to_string(height));
-        ASSERT_TRUE(wait([&](const json& s) { return s["size"] == json::array({width, height}); }));
-    };
-    open("one.glib", {"--size", "640x480"});
-    resize(660, 500);
-    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the command line chose it";
-    save("small.glib", "WindowSize 300 250\n" + scene("uRed"));
-    open("small.glib", {"--size", ""});
-    const json small = state()["size"];
-    show("two.glib");
-    EXPECT_EQ(state()["size"], small);
-    EXPECT_EQ(remembered(), std::pair(0, 0)) << "the scene chose it";
-    open("small.glib", {"--size", ""});
-    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it is placed by then
-    resize(720, 510);
-    ASSERT_TRUE(wait([&](const json&) {
-        return json::parse(bytes("state/snell/window.json"), nullptr, false).value("width", 0) == 720;
-    })) << "while it runs: a window that is killed says nothing";
-    EXPECT_EQ(remembered(), std::pair(720, 510)) << "the user chose another one";
-    open("small.glib", {"--size", ""});
-    show("two.glib");
-    resize(700, 500);
-    EXPECT_EQ(remembered(), std::pair(700, 500));
-    open("one.glib", {"--size", ""});
-    EXPECT_EQ(state()["size"], json::array({700, 500}));
-}
-
 TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     const double slid = red();
     const std::string text = bytes("one.glib");
     press("ctrl+s");
-    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 1); }));
     settle();
     user("key ctrl+z");
     ASSERT_TRUE(wait([&](const json&) { return bytes("one.glib") == text; }));
@@ -255,28 +286,13 @@ TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {
     EXPECT_EQ(red(), slid);
 }
 
-TEST_F(Past, NoticesAreOneLineWhateverAFileIsCalled) {
-    save("two\nlines.glib", scene("uRed"));
-    open("two\nlines.glib");
-    slide(.75);
-    press("ctrl+2");
-    EXPECT_EQ(notice(), "snapshot 2 is in two\\x0Alines.snapshots.json");
-    press("ctrl+s");
-    EXPECT_EQ(notice(), "1 value saved to two\\x0Alines.glib");
-    std::filesystem::remove(file("two\nlines.glib"));
-    slide(.3);
-    press("ctrl+s");
-    const std::string said = state()["failure"];
-    EXPECT_EQ(said.find("not saved: two\\x0Alines.glib is gone"), 0U) << said;
-}
-
 TEST_F(Past, ASaveIsUndoneAfterAnotherSceneWasShown) {
-    open("./one.glib");  // later it is opened by another name
+    share("./one.glib");  // later it is opened by another name
     slide(.75);
     const double slid = red();
     const std::string text = bytes("one.glib");
     press("ctrl+s");
-    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 1); }));
     settle();
     show("two.glib");
     show("one.glib");
@@ -295,7 +311,7 @@ TEST_F(Past, ASceneIsRescuedFromARenamedFolder) {
     namespace fs = std::filesystem;
     fs::create_directory(file("work"));
     for (const char* name : {"one.glib", "paint.vert", "paint.frag"}) save("work/" + std::string(name), bytes(name));
-    open("work/one.glib");
+    share("work/one.glib");
     slide(.75);
     const double slid = red();
     fs::rename(file("work"), file("moved"));
@@ -321,7 +337,7 @@ TEST_F(Past, ASceneIsRescuedFromARenamedFolder) {
 }
 
 TEST_F(Past, ADeletedSceneIsWrittenAgainUnderItsOwnName) {
-    open("one.glib");
+    share("one.glib");
     const std::string text = bytes("one.glib");
     slide(.75);
     const double slid = red();
@@ -342,7 +358,7 @@ TEST_F(Past, ADeletedSceneIsWrittenAgainUnderItsOwnName) {
 }
 
 TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     const double slid = red();
     rename_to("uRose");
@@ -358,22 +374,6 @@ TEST_F(Past, SaveAsHandsOnAValueThatIsGoneForAWhile) {
     ASSERT_TRUE(wait([](const json& s) { return s["controls"].contains("Paint.uRed") && s["errors"] == 0; }));
     settle();
     EXPECT_EQ(red(), slid);
-}
-
-TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {
-    save("two.glib", scene("uRed", "QuadXY 0. 1.\n"));
-    open("one.glib");
-    EXPECT_EQ(state()["view"]["axes"], true);
-    show("two.glib");
-    EXPECT_EQ(state()["view"]["axes"], false);
-    choose("view", "axes");
-    show("one.glib");
-    EXPECT_EQ(state()["view"]["axes"], true);
-    choose("view", "axes");
-    show("two.glib");
-    EXPECT_EQ(state()["view"]["axes"], true);
-    show("one.glib");
-    EXPECT_EQ(state()["view"]["axes"], false);
 }
 
 }  // namespace

@@ -18,6 +18,14 @@ protected:
         save("paint.frag", fragment("uRed"));
     }
 
+    // Most tests need no window of their own.
+    void share(const std::string& scene) {
+        Desk::share(scene);
+        if (!HasFatalFailure()) shown_ = state()["revision"];
+    }
+    // The scene was read again so often since the test showed it.
+    bool read(const nlohmann::json& state, int times) const { return state["revision"] == shown_ + times; }
+
     static std::string scene(const std::string& name, const std::string& end = "QuadXY 0. 1. 2 2\n") {
         return "Perspective 50\nLookAt 0 0 4  0 0 0  0 1 0\nBackground 0 0 0\nVertex paint.vert\nFragment paint.frag\n"
                "Ladder TINT <dark> light\nProgram Paint " +
@@ -72,6 +80,9 @@ protected:
     bool kept() const {
         return wait([&](const nlohmann::json&) { return std::filesystem::exists(file("state/snell/scenes")); });
     }
+
+private:
+    int shown_ = 0;
 };
 
 }  // namespace snell::test

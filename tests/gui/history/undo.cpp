@@ -7,7 +7,7 @@ namespace {
 using nlohmann::json;
 
 TEST_F(Past, EveryChangeIsUndoneAndTheFirstPictureIsBackToTheBit) {
-    open("one.glib");
+    share("one.glib");
     const Picture first = look();
     const std::string plain = title();
     EXPECT_EQ(plain.find("\u2022"), std::string::npos) << plain;
@@ -53,7 +53,7 @@ TEST_F(Past, EveryChangeIsUndoneAndTheFirstPictureIsBackToTheBit) {
 }
 
 TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {
-    open("one.glib");
+    share("one.glib");
     const std::string text = bytes("one.glib");
     type("Paint.uRed", "500", Field::number);
     ASSERT_EQ(red(), 500);
@@ -68,7 +68,7 @@ TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {
 }
 
 TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
-    open("one.glib");
+    share("one.glib");
     animate("uRed");
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .5; }));
@@ -79,7 +79,7 @@ TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
 }
 
 TEST_F(Past, ASaveOfASliderThatMovesKeepsWhereItBegan) {
-    open("one.glib");
+    share("one.glib");
     const std::string text = bytes("one.glib");
     animate("uRed");
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .4; }));
@@ -96,7 +96,7 @@ TEST_F(Past, ASaveOfASliderThatMovesKeepsWhereItBegan) {
 }
 
 TEST_F(Past, ASaveThatWasUndoneDuringAMotionIsRedoneAfterIt) {
-    open("one.glib");
+    share("one.glib");
     animate("uRed");
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .4; }));
     std::string saved;
@@ -117,12 +117,12 @@ TEST_F(Past, ASaveThatWasUndoneDuringAMotionIsRedoneAfterIt) {
 }
 
 TEST_F(Past, AChangeRightAfterASaveStays) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     const double saved = red();
     const auto [x, y] = on("Paint.uRed", .4);
     user("key ctrl+s mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1");
-    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; })) << "what was saved is read";
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 1); })) << "what was saved is read";
     settle();
     const double later = red();
     EXPECT_NEAR(later, .4, .05);
@@ -138,12 +138,12 @@ TEST_F(Past, AChangeRightAfterASaveStays) {
 }
 
 TEST_F(Past, ASaveRightAfterASaveSavesTheLaterValues) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     const auto [x, y] = on("Paint.uRed", .4);
     const std::string again = "mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1 key ctrl+s";
     user("key ctrl+s " + again);
-    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 3; })) << state()["failure"];
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 2); })) << state()["failure"];
     settle();
     EXPECT_EQ(state()["failure"], "");
     EXPECT_NEAR(red(), .4, .05);
@@ -159,7 +159,7 @@ TEST_F(Past, ASaveRightAfterASaveSavesTheLaterValues) {
 }
 
 TEST_F(Past, ASaveRightAfterASaveOverwritesNoOtherProgramsSave) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     save("other.sh", "cd " + file("") + "; sed 's/uGreen <0. .4/uGreen <0. .9/' one.glib >other; mv other one.glib");
     const auto [x, y] = on("Paint.uRed", .4);
@@ -172,7 +172,7 @@ TEST_F(Past, ASaveRightAfterASaveOverwritesNoOtherProgramsSave) {
 
 // The window has not read its own save yet, and nobody has touched that number.
 TEST_F(Past, WhatAnotherProgramSavesRightAfterASaveIsFollowed) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     save("other.sh", "cd " + file("") + "; sed 's/uGreen <0. .4/uGreen <0. .9/' one.glib >other; mv other one.glib");
     user("key ctrl+s exec --sync --terminator END sh " + file("other.sh") + " END");
@@ -185,11 +185,11 @@ TEST_F(Past, WhatAnotherProgramSavesRightAfterASaveIsFollowed) {
 
 // Reading it again does not save it.
 TEST_F(Past, ASaveThatIsRefusedIsSaidUntilItIsDone) {
-    open("one.glib");
+    share("one.glib");
     slide(.75);
     save("other.sh", "cd " + file("") + "; sed '1i # other' one.glib >other; mv other one.glib");
     user("exec --sync --terminator END sh " + file("other.sh") + " END key ctrl+s");
-    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 1); }));
     settle();
     if (title().find("\u2022") == std::string::npos) return;  // the window was quick enough to read it first
     EXPECT_NE(state()["failure"].get<std::string>().find("not saved"), std::string::npos) << state()["failure"];
@@ -197,6 +197,108 @@ TEST_F(Past, ASaveThatIsRefusedIsSaidUntilItIsDone) {
     settle();
     EXPECT_EQ(state()["failure"], "");
     EXPECT_EQ(title().find("\u2022"), std::string::npos);
+}
+
+TEST_F(Past, UndoWaitsForTheEndOfADrag) {
+    share("one.glib");
+    slide(.5);
+    const double half = red();
+    const auto [x, y] = on("Paint.uRed", half);
+    const auto [to, same] = on("Paint.uRed", .9);
+    const std::string at = " " + std::to_string(y);
+    user("mousemove " + std::to_string(x) + at + " mousedown 1 sleep .1 mousemove " + std::to_string(to) + at +
+         " sleep .1 key ctrl+z sleep .1 mousemove " + std::to_string(to + 1) + at + " sleep .1 mouseup 1");
+    settle();
+    EXPECT_EQ(state()["undo"], 2) << notice();
+    press("ctrl+z");
+    EXPECT_EQ(red(), half);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2);
+}
+
+TEST_F(Past, ADoubleClickLeavesNoStep) {
+    share("one.glib");
+    click("Paint.uGreen", .9);
+    double_click("Paint.uRed");
+    settle();
+    EXPECT_EQ(red(), .2);
+    EXPECT_EQ(state()["undo"], 1);
+    press("ctrl+z");
+    EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .4) << notice();
+    user("sleep .5");  // or these clicks are the third and the fourth of a row
+    double_click("Paint.uRed");
+    press("ctrl+y");
+    EXPECT_NE(state()["controls"]["Paint.uGreen"][0], .4) << notice();
+    type("Paint.uRed", "0.6", Field::number);
+    EXPECT_EQ(state()["undo"], 2) << "a typed number is one step";
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2);
+}
+
+TEST_F(Past, ADoubleClickEndsNoMotion) {
+    share("one.glib");
+    animate("uRed");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
+    double_click("Paint.uRed");
+    const double then = red();
+    EXPECT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] != then; }));
+    EXPECT_EQ(state()["undo"], 0);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "this ends the motion, too";
+}
+
+TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
+    share("one.glib");
+    slide(.75);
+    const double slid = red();
+    rename_to("uRose");
+    EXPECT_EQ(state()["controls"]["Paint.uRose"][0], .2);
+    rename_to("uRed");
+    EXPECT_EQ(red(), slid);
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << "steps outlive edits";
+    press("ctrl+y");
+    press("F5");
+    EXPECT_EQ(red(), slid);
+}
+
+// The shader has the uniform all the time.
+TEST_F(Past, AUniformThatItsLineDoesNotListForAWhileHasItsPosition) {
+    const auto red_is = [&](double wanted) {
+        return wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == wanted; });
+    };
+    share("one.glib");
+    slide(.75);
+    const double slid = red();
+    for (const char* instead : {"uRose <0. .2 1.>", "", "# uRed <0. .2 1.>"}) {
+        std::string text = scene("uRed");
+        const std::string_view listed = "uRed <0. .2 1.>";
+        save("one.glib", text.replace(text.find(listed), listed.size(), instead));
+        ASSERT_TRUE(red_is(0)) << "what the program begins with; " << instead;
+        save("one.glib", scene("uRed"));
+        EXPECT_TRUE(red_is(slid)) << instead;
+    }
+    settle();
+    press("ctrl+z");
+    EXPECT_EQ(red(), .2) << notice();
+    press("ctrl+y");
+    EXPECT_EQ(red(), slid);
+}
+
+TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
+    share("one.glib");
+    save("one.snapshots.json", R"({"1": {"options": "--ladder TINT=light"}})");
+    press("F5");
+    press("1");
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"]["TINT"] == "light"; }));
+    std::string text = scene("uRed");
+    save("paint.frag", "#define TINT 0\n" + fragment("uRed"));
+    save("one.glib", text.replace(text.find("Ladder TINT"), 11, "Ladder OTHER"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("OTHER"); }));
+    save("one.glib", scene("uRed"));
+    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("TINT"); }));
+    settle();
+    EXPECT_EQ(state()["rungs"]["TINT"], "light");
 }
 
 TEST_F(Past, AChangeBetweenASaveAndTheEndIsThereNextTime) {
@@ -234,54 +336,6 @@ TEST_F(Past, OtherChangesAreStepsWhileASliderMoves) {
     EXPECT_NE(green(state()), .4) << "the motion ended with the window";
 }
 
-TEST_F(Past, UndoWaitsForTheEndOfADrag) {
-    open("one.glib");
-    slide(.5);
-    const double half = red();
-    const auto [x, y] = on("Paint.uRed", half);
-    const auto [to, same] = on("Paint.uRed", .9);
-    const std::string at = " " + std::to_string(y);
-    user("mousemove " + std::to_string(x) + at + " mousedown 1 sleep .1 mousemove " + std::to_string(to) + at +
-         " sleep .1 key ctrl+z sleep .1 mousemove " + std::to_string(to + 1) + at + " sleep .1 mouseup 1");
-    settle();
-    EXPECT_EQ(state()["undo"], 2) << notice();
-    press("ctrl+z");
-    EXPECT_EQ(red(), half);
-    press("ctrl+z");
-    EXPECT_EQ(red(), .2);
-}
-
-TEST_F(Past, ADoubleClickLeavesNoStep) {
-    open("one.glib");
-    click("Paint.uGreen", .9);
-    double_click("Paint.uRed");
-    settle();
-    EXPECT_EQ(red(), .2);
-    EXPECT_EQ(state()["undo"], 1);
-    press("ctrl+z");
-    EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .4) << notice();
-    user("sleep .5");  // or these clicks are the third and the fourth of a row
-    double_click("Paint.uRed");
-    press("ctrl+y");
-    EXPECT_NE(state()["controls"]["Paint.uGreen"][0], .4) << notice();
-    type("Paint.uRed", "0.6", Field::number);
-    EXPECT_EQ(state()["undo"], 2) << "a typed number is one step";
-    press("ctrl+z");
-    EXPECT_EQ(red(), .2);
-}
-
-TEST_F(Past, ADoubleClickEndsNoMotion) {
-    open("one.glib");
-    animate("uRed");
-    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .3; }));
-    double_click("Paint.uRed");
-    const double then = red();
-    EXPECT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] != then; }));
-    EXPECT_EQ(state()["undo"], 0);
-    press("ctrl+z");
-    EXPECT_EQ(red(), .2) << "this ends the motion, too";
-}
-
 TEST_F(Past, AValueThatIsGoneForAWhileOutlivesALoss) {
     open("one.glib", {"--lose-file", file("lose")});
     slide(.75);
@@ -294,60 +348,6 @@ TEST_F(Past, AValueThatIsGoneForAWhileOutlivesALoss) {
     settle();
     rename_to("uRed");
     EXPECT_EQ(red(), slid);
-}
-
-TEST_F(Past, AUniformThatIsRenamedAndBackHasItsPosition) {
-    open("one.glib");
-    slide(.75);
-    const double slid = red();
-    rename_to("uRose");
-    EXPECT_EQ(state()["controls"]["Paint.uRose"][0], .2);
-    rename_to("uRed");
-    EXPECT_EQ(red(), slid);
-    press("ctrl+z");
-    EXPECT_EQ(red(), .2) << "steps outlive edits";
-    press("ctrl+y");
-    press("F5");
-    EXPECT_EQ(red(), slid);
-}
-
-// The shader has the uniform all the time.
-TEST_F(Past, AUniformThatItsLineDoesNotListForAWhileHasItsPosition) {
-    const auto red_is = [&](double wanted) {
-        return wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == wanted; });
-    };
-    open("one.glib");
-    slide(.75);
-    const double slid = red();
-    for (const char* instead : {"uRose <0. .2 1.>", "", "# uRed <0. .2 1.>"}) {
-        std::string text = scene("uRed");
-        const std::string_view listed = "uRed <0. .2 1.>";
-        save("one.glib", text.replace(text.find(listed), listed.size(), instead));
-        ASSERT_TRUE(red_is(0)) << "what the program begins with; " << instead;
-        save("one.glib", scene("uRed"));
-        EXPECT_TRUE(red_is(slid)) << instead;
-    }
-    settle();
-    press("ctrl+z");
-    EXPECT_EQ(red(), .2) << notice();
-    press("ctrl+y");
-    EXPECT_EQ(red(), slid);
-}
-
-TEST_F(Past, ALadderThatIsGoneAndBackHasItsRung) {
-    open("one.glib");
-    save("one.snapshots.json", R"({"1": {"options": "--ladder TINT=light"}})");
-    press("F5");
-    press("1");
-    ASSERT_TRUE(wait([](const json& s) { return s["rungs"]["TINT"] == "light"; }));
-    std::string text = scene("uRed");
-    save("paint.frag", "#define TINT 0\n" + fragment("uRed"));
-    save("one.glib", text.replace(text.find("Ladder TINT"), 11, "Ladder OTHER"));
-    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("OTHER"); }));
-    save("one.glib", scene("uRed"));
-    ASSERT_TRUE(wait([](const json& s) { return s["rungs"].contains("TINT"); }));
-    settle();
-    EXPECT_EQ(state()["rungs"]["TINT"], "light");
 }
 
 TEST_F(Past, WhatWasSetWhileAShaderIsBrokenOutlivesALossAndIsSaved) {
