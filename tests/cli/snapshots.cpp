@@ -277,7 +277,8 @@ TEST_F(Kept, ASliderThatMovesKeepsTheScenesNumber) {
     EXPECT_FALSE(facts.changed);
     keeper.serve({.save = true}, *document, {}, memory);
     EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
-    EXPECT_EQ(memory.notice, "nothing to save; not uA, uColor, which move");
+    EXPECT_EQ(memory.notice,
+              "nothing to save; not uA, uColor, which move; the view and moved objects are not written to the scene");
     color.value[0] = .375;
     memory.animated.front() = memory.animated.back();
     memory.animated.pop_back();
@@ -288,7 +289,7 @@ TEST_F(Kept, ASliderThatMovesKeepsTheScenesNumber) {
     memory.animated.clear();
     auto again = read();
     keeper.serve({.save = true}, *again, {}, memory);
-    EXPECT_EQ(memory.notice, "nothing to save");
+    EXPECT_EQ(memory.notice, "nothing to save; the view and moved objects are not written to the scene");
 }
 
 TEST_F(Kept, AFileThatChangedMeanwhileIsNotOverwritten) {

@@ -89,14 +89,14 @@ TEST_F(FoundPanel, TheErrorOfThePictureNamesTheRowsOwn) {
     FoundRow& row = add("6");
     row.error = .0028;
     found_.shown = "6";
-    EXPECT_EQ(error_line(.0016, shown_row(found_)), "error .0016 of white here, worst .0028");
-    EXPECT_EQ(error_line(0, shown_row(found_)), "error none here, worst .0028");
-    EXPECT_EQ(error_line(.0028, shown_row(found_)), "error .0028 of white");
+    EXPECT_EQ(error_line(.0016, shown_row(found_)).view(), "error .0016 of white here, worst .0028");
+    EXPECT_EQ(error_line(0, shown_row(found_)).view(), "error none here, worst .0028");
+    EXPECT_EQ(error_line(.0028, shown_row(found_)).view(), "error .0028 of white");
     row.error = 0;
-    EXPECT_EQ(error_line(1.6e-6, shown_row(found_)), "error none");
+    EXPECT_EQ(error_line(1.6e-6, shown_row(found_)).view(), "error none");
     found_.shown.clear();
     EXPECT_EQ(shown_row(found_), nullptr);
-    EXPECT_EQ(error_line(.0016, nullptr), "error .0016 of white");
+    EXPECT_EQ(error_line(.0016, nullptr).view(), "error .0016 of white");
 }
 
 TEST_F(FoundPanel, TooltipsSayWhatEachErrorIs) {

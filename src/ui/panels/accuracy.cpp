@@ -59,8 +59,9 @@ void figures(const Facts& all, Layout& layout) {
         return;
     }
     const FoundRow* const rung = all.found ? shown_row(*all.found) : nullptr;
-    fitted(facts.samples > 0 ? error_line(facts.error, rung) : "\u2026", ImGui::GetContentRegionAvail().x);
-    if (facts.samples > 0) tip(error_tip(facts) + (rung && rung->error ? std::string(worst_meaning) : ""));
+    const Text line = facts.samples > 0 ? error_line(facts.error, rung) : Text("\u2026");
+    fitted(line.view(), ImGui::GetContentRegionAvail().x);
+    if (facts.samples > 0 && ImGui::IsItemHovered()) tip(error_tip(facts) + (rung && rung->error ? worst_meaning : ""));
     layout.note("accuracy.error");
     remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
@@ -248,10 +249,11 @@ std::string error_tip(const AccuracyFacts& facts) {
                        error_text(facts.of_display));
 }
 
-std::string error_line(double error, const FoundRow* rung) {
+Text error_line(double error, const FoundRow* rung) {
     const std::string here = error_text(error), worst = rung && rung->error ? error_text(*rung->error) : here;
-    const std::string text = fmt::format("error {}{}", here, here == no_error ? "" : " of white");
-    return worst == here ? text : fmt::format("{} here, worst {}", text, worst);
+    Text line("error {}{}", here, here == no_error ? "" : " of white");
+    if (worst != here) line.add(" here, worst {}", worst);
+    return line;
 }
 
 std::string error_text(double error) {

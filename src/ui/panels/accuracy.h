@@ -15,6 +15,7 @@
 #include "src/content/plot/plot.h"
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/kit.h"
+#include "src/ui/kit/text.h"
 
 namespace snell::ui {
 
@@ -103,7 +104,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
 std::string milliseconds_text(double milliseconds);
 std::string error_text(double error);  // ".0031"; "none" if it is only rounding, "unknown" if it is NaN
 // Of the picture that is shown; if it is that of a found rung, with the rung's own, where they differ.
-std::string error_line(double error, const FoundRow* rung);
+Text error_line(double error, const FoundRow* rung);
 // One sentence, with what else is known of the error.
 std::string error_tip(const AccuracyFacts& facts);
 std::string standing_text(const AccuracyPoint& point);  // such as "worth its time"; empty if the point was not compared

@@ -78,9 +78,10 @@ TEST_F(Past, ASliderThatMovesByItselfIsOneStep) {
     EXPECT_EQ(notice(), "nothing to undo");
 }
 
-TEST_F(Past, ASaveOfASliderThatMovesKeepsWhereItBegan) {
+TEST_F(Past, ASaveWhileASliderMovesKeepsWhereItBegan) {
     share("one.glib");
     const std::string text = bytes("one.glib");
+    type("Paint.uGreen", "0.7", Field::number);
     animate("uRed");
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .4; }));
     for (const char* key : {"ctrl+s", "ctrl+z"}) {  // the undo of the save restores the file
@@ -93,10 +94,12 @@ TEST_F(Past, ASaveOfASliderThatMovesKeepsWhereItBegan) {
     EXPECT_EQ(bytes("one.glib"), text);
     press("ctrl+z");
     EXPECT_EQ(red(), .2) << notice();
+    EXPECT_EQ(state()["controls"]["Paint.uGreen"][0], .7);
 }
 
 TEST_F(Past, ASaveThatWasUndoneDuringAMotionIsRedoneAfterIt) {
     share("one.glib");
+    type("Paint.uGreen", "0.7", Field::number);
     animate("uRed");
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] > .4; }));
     std::string saved;

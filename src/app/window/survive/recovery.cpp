@@ -110,8 +110,7 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     }
     memory.failures.done(Remedy::save);
     std::string& notice = memory.notice;
-    notice = saved.files.empty() ? "nothing to save; the view and moved objects are not written to the scene"
-                                 : counted(saved.values, "value") + " saved to";
+    notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
     served.what = "save to";
     for (const SavedFile& file : saved.files) {
         notice += " " + printable_name(file.path);
@@ -120,6 +119,7 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     if (!saved.moving.empty())
         notice += fmt::format("; not {}, which {}", utf8::printable(fmt::format("{}", fmt::join(saved.moving, ", "))),
                               saved.moving.size() == 1 ? "moves" : "move");
+    if (saved.files.empty()) notice += "; the view and moved objects are not written to the scene";
     std::string unwritten;
     for (const Unwritten& value : saved.unwritten)
         unwritten += fmt::format("{}{}: {}", unwritten.empty() ? "not saved: " : "\n", value.name, value.reason);
