@@ -257,7 +257,7 @@ TEST_F(SlowPictures, AreDrawnAtOnceWhereVerticesTakeLong) {
          "    for (int i = 0; i < 900; ++i) x += sin(x + cos(x * 1.7)) + exp(-x * x);\n"
          "    gl_Position = ftransform() + vec4(0., 0., 1e-9 * x, 0.);\n}\n");
     save("paint.frag", "void main() { gl_FragColor = vec4(0., 1., 0., 1.); }\n");
-    save("slow.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPhase <0. 0. 1.>\nSphere 1. 240 240\n");
+    save("slow.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPhase <0. 0. 1.>\nSphere 1. 400 400\n");
     open("slow.glib", {"--no-specialise"});
     drawn();
     type("Paint.uPhase", "0.25", Field::number);

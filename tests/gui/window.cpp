@@ -75,7 +75,10 @@ TEST_F(Window, AValueIsTypedAfterADoubleClick) {
     user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " click 1 sleep .6 click 1");
     settle();
     EXPECT_NEAR(red(), .9, .03) << "two clicks that are no double click leave the value there";
-    type("Paint.uRed", "0.6", Field::number);
+    user("click --repeat 2 --delay 60 1");
+    settle();
+    user("key ctrl+a type --delay 8 0.6");
+    user("key Return");
     EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uRed"][0] == .6; }));
     settle();
     expect_pixel(.6, .4);
