@@ -12,17 +12,23 @@ namespace {
 // An upper bound of what the next finer grain multiplies the time by.
 constexpr double finer_costs = 4;
 
+double sharp(int grain, double ms) {
+    const int divide = grains[static_cast<std::size_t>(grain)].divide;
+    return ms * divide * divide;
+}
+
 }  // namespace
 
 int Coarseness::next(bool moved, bool held, double now) {
     if (moved && (held || now - moved_ < again)) until_ = now + rest;
     if (moved) moved_ = now;
     const Cost& cost = costs_[static_cast<std::size_t>(grain_)];
+    const auto limit = [](int grain) { return grain < quarter ? slow : blind; };
     if (now >= until_)
         grain_ = 0;
-    else if (moved && cost.frames > 1 && cost.ms > slow)
+    else if (moved && cost.frames > 1 && cost.ms > limit(grain_))
         grain_ = grain_ == 0 ? dragged_ : std::min(grain_ + 1, coarsest);
-    else if (moved && cost.frames > 1 && grain_ > 0 && cost.ms * finer_costs < slow)
+    else if (moved && cost.frames > 1 && grain_ > 0 && cost.ms * finer_costs < limit(grain_ - 1))
         --grain_;
     if (grain_ > 0) dragged_ = grain_;
     return grain_;
@@ -32,15 +38,32 @@ void Coarseness::drew(double ms) {
     Cost& cost = costs_[static_cast<std::size_t>(grain_)];
     ++cost.frames;
     cost.ms = ms;
+    if (grain_ >= quarter) foreseen_ = sharp(grain_, ms);
 }
 
-double Coarseness::foreseen() const { return costs_.back().ms * grains.back().divide * grains.back().divide; }
-
-bool Coarseness::foresaw(double ms, double now, double most) {
-    costs_.back().ms = ms;
+// A picture whose time does not grow with its pixels tells nothing of finer ones, nor does the very first one, in which
+// the driver compiles.
+bool Coarseness::foresee(const std::function<double(int)>& timed, double now, double most) {
+    constexpr double growing = 1.6;
+    const auto ends = [](double ms, int finer) { return ms * std::pow(finer_costs, finer) > patience; };
+    const auto draw = [&](int grain) {
+        const double ms = timed(grain);
+        now += ms / 1e3;
+        return ms;
+    };
+    int grain = coarsest;
+    double ms = draw(grain);
+    if (ends(ms, coarsest - quarter) && costs_[0].frames == 0) ms = std::min(ms, draw(grain));
+    if (!ends(ms, coarsest - quarter)) ms = draw(grain = quarter);
+    while (grain > quarter && ms < patience) {
+        const double before = std::exchange(ms, draw(--grain));
+        if (ms > growing * before && ends(ms, 1)) break;
+    }
+    costs_[static_cast<std::size_t>(grain)].ms = ms;
+    foreseen_ = sharp(grain, ms);
     if (!lasts(most)) return false;
-    ++costs_.back().frames;
-    grain_ = dragged_ = coarsest;
+    ++costs_[static_cast<std::size_t>(grain)].frames;
+    grain_ = dragged_ = grain;
     until_ = now + rest;
     return true;
 }

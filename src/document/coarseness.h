@@ -19,13 +19,18 @@ struct Grain {
 
     int part_of(int pixels) const { return (pixels + divide - 1) / divide; }
 };
-inline constexpr std::array<Grain, 4> grains{
-    {{4, 1, ""}, {1, 1, "1 sample"}, {1, 2, "1 sample, half size"}, {1, 4, "1 sample, quarter size"}}};
-inline constexpr int coarsest = static_cast<int>(grains.size()) - 1;
+inline constexpr std::array<Grain, 6> grains{{{4, 1, ""},
+                                              {1, 1, "1 sample"},
+                                              {1, 2, "1 sample, half size"},
+                                              {1, 4, "1 sample, quarter size"},
+                                              {1, 8, "1 sample, eighth of the size"},
+                                              {1, 16, "1 sample, sixteenth of the size"}}};
+inline constexpr int quarter = 3, coarsest = static_cast<int>(grains.size()) - 1;
 
 class Coarseness {
 public:
     static constexpr double slow = 33;       // milliseconds of a frame, above which the next one is coarser
+    static constexpr double blind = 200;     // the same where too little would be seen in a coarser one
     static constexpr double rest = .15;      // seconds without a change, after which the picture is sharp
     static constexpr double patience = 500;  // milliseconds that a sharp picture may take without a coarse one before
     static constexpr double again = .3;  // seconds between changes that are one gesture without a button: wheel, keys
@@ -36,11 +41,14 @@ public:
     // Tells the time of the frame that was drawn, in milliseconds. The first one of a scene or of a grain may compile,
     // so it is not judged.
     void drew(double ms);
-    // Where nobody knows how long the next picture takes: tells what one of the coarsest grain took. Returns true if it
-    // is the next picture, because a sharp one may take longer than `patience`, but less than `most`.
-    bool foresaw(double ms, double now, double most = std::numeric_limits<double>::infinity());
-    // Milliseconds of a sharp picture at the most, as the last one of the coarsest grain tells; 0: none tells.
-    double foreseen() const;
+    // Where nobody knows how long the next picture takes: draws coarse ones, each finer than the one before, as long as
+    // the next one takes no longer than `patience`. `timed` draws one of that index into `grains`, and returns its
+    // milliseconds. Returns true if the last one is the next picture, because a sharp one may take longer than
+    // `patience`, but less than `most`.
+    bool foresee(const std::function<double(int)>& timed, double now,
+                 double most = std::numeric_limits<double>::infinity());
+    // Milliseconds of a sharp picture at the most, as the last coarse one tells; 0: none tells.
+    double foreseen() const { return foreseen_; }
     bool lasts(double most = std::numeric_limits<double>::infinity()) const {
         return foreseen() > patience && foreseen() < most;
     }
@@ -56,6 +64,7 @@ private:
         double ms = 0;  // of the last frame
     };
     std::array<Cost, grains.size()> costs_{};
+    double foreseen_ = 0;
     double moved_ = -1e9, until_ = -1e9;  // when the picture changed last; when it becomes sharp
 };
 

@@ -125,13 +125,13 @@ void Still::set(int width, int height, std::span<const std::byte> rgba) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void Still::show(int x, int y, int first) const {
-    if (!framebuffer_ || first >= width_) return;
+void Still::show(int x, int y, int enlarged) const {
+    if (!framebuffer_) return;
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     // The blit flips the picture: its first row is the top one, but GL's first row is the bottom one.
-    glBlitFramebuffer(first, 0, width_, height_, x + first, y + height_, x + width_, y, GL_COLOR_BUFFER_BIT,
+    glBlitFramebuffer(0, 0, width_, height_, x, y + height_ * enlarged, x + width_ * enlarged, y, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }

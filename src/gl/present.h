@@ -54,9 +54,9 @@ class Still {
 public:
     // Uploads RGBA bytes, top row first.
     void set(int width, int height, std::span<const std::byte> rgba);
-    // Copies the columns from `first` on into the default framebuffer. (x, y) is the pixel of the bottom left corner of
-    // the whole picture. Does nothing before set() was called.
-    void show(int x, int y, int first) const;
+    // Copies it into the default framebuffer, so many times larger. (x, y) is the pixel of the bottom left corner. Does
+    // nothing before set() was called.
+    void show(int x, int y, int enlarged) const;
 
 private:
     int width_ = 0, height_ = 0;

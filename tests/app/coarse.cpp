@@ -32,6 +32,20 @@ protected:
         }
         return grain;
     }
+    // Looks ahead from nothing; returns true if the next picture is coarse.
+    bool foresees() {
+        coarseness.next(true, false, now);
+        double spent = 0;
+        const bool coarse = coarseness.foresee(
+            [&](int grain) {
+                const double ms = cost(grain) + fixed_ms + std::exchange(compiler_ms, 0);
+                spent += ms / 1e3;
+                return ms;
+            },
+            now);
+        now += spent;
+        return coarse;
+    }
     // The scene is open for a while.
     void opened() {
         step(true, false);
@@ -42,6 +56,7 @@ protected:
 
     Coarseness coarseness;
     double sharp_ms = 90, now = 10;
+    double fixed_ms = 0, compiler_ms = 0;  // of what grows with no pixels; of the next picture that looks ahead
     int last = -1;
 };
 
@@ -111,17 +126,37 @@ TEST_F(Dragged, OneChangeWithoutAButtonIsSharp) {
 
 TEST_F(Dragged, PicturesThatLastBeginCoarse) {
     EXPECT_FALSE(coarseness.lasts()) << "nothing is known";
-    coarseness.next(true, false, now);
-    EXPECT_FALSE(coarseness.foresaw(30, now)) << "a sharp picture in half a second";
+    sharp_ms = 480;
+    EXPECT_FALSE(foresees()) << "a sharp picture in half a second";
     EXPECT_TRUE(std::isinf(coarseness.due()));
     sharp_ms = 5000;
-    coarseness.next(true, false, now);
-    EXPECT_TRUE(coarseness.foresaw(cost(3), now));
+    EXPECT_TRUE(foresees());
     EXPECT_TRUE(coarseness.lasts());
-    EXPECT_EQ(coarseness.due(), now + Coarseness::rest);
+    EXPECT_DOUBLE_EQ(coarseness.due(), now + Coarseness::rest);
     EXPECT_EQ(step(true), 3) << "a drag goes on as coarse as it begins";
     now = coarseness.due();
     EXPECT_EQ(step(false), 0);
+}
+
+// The driver compiles in the first one, and vertices take as long in all.
+TEST_F(Dragged, LookingAheadIsQuickHoweverLongASharpPictureTakes) {
+    for (const double compiler : {0., 300.})
+        for (const double vertices : {0., 1., 40., 400.})
+            for (const double ms : {5., 100., 1e3, 5e3, 20e3, 60e3, 200e3}) {
+                coarseness = {};
+                sharp_ms = ms;
+                fixed_ms = vertices;
+                compiler_ms = compiler;
+                const double before = now;
+                const bool coarse = foresees();
+                SCOPED_TRACE(testing::Message() << ms << " ms, compiler " << compiler << ", vertices " << vertices);
+                EXPECT_TRUE(coarse || ms < 900) << "it would be drawn at once";
+                EXPECT_TRUE(!coarse || ms + 16 * vertices > 480);
+                EXPECT_LT(now - before, 1.3 + (4 * vertices + compiler + ms / 50) / 1e3);
+                EXPECT_TRUE(!coarse || coarseness.foreseen() > .5 * ms);
+                const bool told = coarse && ms > 1000 && vertices < 40;
+                EXPECT_TRUE(!told || coarseness.foreseen() < ms + 300 * vertices);
+            }
 }
 
 TEST_F(Dragged, TheFirstPictureOfAGrainMayCompile) {

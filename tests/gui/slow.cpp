@@ -230,6 +230,33 @@ TEST_F(SlowPictures, HaveCostsOfSharpOnesAlone) {
     expect_sharp(2);
 }
 
+// Dozens of pictures of that size would keep the window from answering for minutes.
+TEST_F(SlowPictures, AreMeasuredWithFewerPixels) {
+    save("paint.frag",
+         "uniform float uRounds, uPhase;\nvoid main() {\n    float x = gl_FragCoord.x;\n"
+         "    for (int i = 0; i < int(uRounds); ++i) x += sin(x);\n"
+         "#if RED == RED_none\n    float red = 0.;\n#else\n    float red = 1.;\n#endif\n"
+         "    gl_FragColor = vec4(red, 1., 1e-9 * x, 1.);\n}\n");
+    save("slow.glib", "Ladder RED <none> all\n" + scene("1500"));
+    open("slow.glib", {"--no-specialise", "--size", "800x740"});
+    EXPECT_FALSE(state()["widgets"].contains("reduced"));
+    user("key a");
+    EXPECT_TRUE(wait(
+        [](const json& s) { return s.contains("accuracy") && s["accuracy"]["samples"] == s["accuracy"]["wanted"]; }));
+    EXPECT_NEAR(state()["accuracy"]["error"].get<double>(), std::sqrt(1 / 3.), 1e-3);
+    EXPECT_TRUE(state()["widgets"].contains("reduced")) << "and that is said";
+    user("key a");
+    click("tools");
+    click("frame cost");
+    click("frame cost.measure");
+    EXPECT_TRUE(wait([](const json& s) { return s.contains("frame_cost") && !s["frame_cost"]["apart"].empty(); }));
+    const json now = state();
+    double all = 0;
+    for (const json& cost : now["frame_cost"]["apart"]) all += cost["draw"] ? 0 : cost["milliseconds"].get<double>();
+    EXPECT_LT(all, now["ms"][0].get<double>() / 4);
+    EXPECT_TRUE(now["widgets"].contains("reduced"));
+}
+
 // The text shows no long loops: the picture before tells, from which one cannot know how much of it the compiler took.
 TEST_F(SlowPictures, AreCoarseOnceOneTookLongWhateverTheTextSays) {
     const std::string dear = "x += sin(x + cos(x * 1.7)) + exp(-x * x) * pow(abs(x) + .1, 1.3);";
@@ -260,8 +287,15 @@ TEST_F(SlowPictures, AreDrawnAtOnceWhereVerticesTakeLong) {
     save("slow.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPhase <0. 0. 1.>\nSphere 1. 400 400\n");
     open("slow.glib", {"--no-specialise"});
     drawn();
-    type("Paint.uPhase", "0.25", Field::number);
+    const auto [x, y] = on("Paint.uPhase");
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " keydown ctrl click 1 keyup ctrl");
     settle();
+    user("key ctrl+a");
+    user("type --delay 8 0.25");
+    user("key Return");
+    EXPECT_TRUE(wait([&](const json& s) { return s["widgets"].contains("status.grain"); })) << "it says that it draws";
+    settle();
+    EXPECT_FALSE(state()["widgets"].contains("status.grain"));
     EXPECT_EQ(drawn(), (std::array{1, 0}));
     EXPECT_EQ(state()["strips"], 0);
     EXPECT_GT(state()["ms"][0], 500) << "so that the test judges something";

@@ -126,10 +126,13 @@ void Display::draw_all(const std::function<void(const Step&)>* after, float dens
 }
 
 bool Display::draw_ahead(float density) {
-    ms_ = 0;
-    set_grain(coarsest);
-    if (resize()) draw_all(nullptr, density);
-    if (coarseness_.foresaw(ms_, window_.now(), most())) return true;
+    const auto timed = [&](int grain) {
+        ms_ = 0;
+        set_grain(grain);
+        if (resize()) draw_all(nullptr, density);
+        return ms_;
+    };
+    if (coarseness_.foresee(timed, window_.now(), most())) return true;
     set_grain(0);
     return false;
 }

@@ -76,6 +76,8 @@ public:
     double lasts() const;
     // What is shown next is drawn at once, and not looked ahead at.
     bool at_once() const { return !sharp_ && !ahead_; }
+    // It may take so long until something is shown that one wonders.
+    bool slow() const { return !sharp_ && sides_[0].half.next.grain == 0 && sharp_ms_ > Coarseness::patience; }
     // Draws it, and returns true; of a sharp one that lasts, the next strip: it is shown once it is whole. `after` is
     // that of Frame, of the left picture, for what is drawn at once. `density` is pixels per window coordinate.
     bool draw(const std::function<void(const Step&)>* after, float density);

@@ -1,6 +1,8 @@
 #include "src/app/window/measuring.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace snell {
 
@@ -19,15 +21,34 @@ void Measuring::leave() {
     found_.leave();
 }
 
+// What it takes is known roughly only, and a picture of another size is measured from the beginning.
+const Stand& Measuring::measured(const Display& display) {
+    constexpr int smallest = 16;  // a divisor
+    const double lasts = display.lasts();
+    int divide = lasts > 0 ? std::max(measured_.enlarged, 1) : 1;
+    while (divide < smallest && lasts / divide / divide > 2 * Strips::aim) divide *= 2;
+    while (divide > 1 && lasts / divide / divide < Strips::aim / 8) divide /= 2;
+    measured_ = display.drawn().stand;
+    samples_ = display.samples();
+    if (divide > 1) measured_ = smaller(std::move(measured_), divide);
+    return measured_;
+}
+
+std::optional<PixelSize> Measuring::reduced() const {
+    if (measured_.enlarged == 1) return std::nullopt;
+    return PixelSize{measured_.width, measured_.height};
+}
+
 bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
     stale = stale || scene.diagnostics.has_errors();  // of a scene that never was without, the picture is incomplete
+    const Stand& measure = measured(display);
     const bool found = found_.follow(scene, stale, stand, still, memory.accuracy);
     AccuracyView::Pair pair;
     const bool both = states_.active() && states_.shows(false) && states_.shows(true);
     if (found_.rung() || (both && !states_.with_reference()))
         pair = {&shown(scene), found_.rung() ? &scene : &states_.right(scene), showing()};
-    accuracy_.follow(scene, stale, stand, memory.accuracy, pair);
+    accuracy_.follow(scene, stale, measure, memory.accuracy, pair);
     Document& document = shown(scene);
     const bool sharp = display.drawn().grain == 0;
     const bool opened =
@@ -48,25 +69,23 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
            opened || texels || found;
 }
 
-bool Measuring::step(Document* document, const Display& display, const std::function<void()>& alive) {
+bool Measuring::step(Document* document, const std::function<void()>& alive) {
     linking_ = linking_ && document;
     if (linking_) {
         linking_ = document->runtime->find_switched_off();
         if (!linking_) explanation_ = document->runtime->explain();
         return !linking_;
     }
-    if (frame_costs_.busy())
-        return document && frame_costs_.step(shown(*document), display.drawn().stand, display.samples());
+    if (frame_costs_.busy()) return document && frame_costs_.step(shown(*document), measured_, samples_);
     return accuracy_.busy() ? accuracy_.step() : found_.step(alive);
 }
 
-std::string Measuring::serve(const ui::Requests& requests, Document* document, const Display& display,
-                             ui::Memory& memory) {
+std::string Measuring::serve(const ui::Requests& requests, Document* document, ui::Memory& memory) {
     if (requests.measure) accuracy_.measure(memory.accuracy);
     if (requests.measure_frame) frame_costs_.measure();
     if (requests.store_snapshot > 0 || requests.delete_snapshot > 0) states_.reread_snapshots();
     if (requests.find_rungs || requests.show_rung) accuracy_.leave_pair();
-    if (document) found_.serve(requests, *document, display.drawn().stand, memory);
+    if (document) found_.serve(requests, *document, measured_, memory);
     return requests.copy_rung ? found_.command() : "";
 }
 

@@ -44,6 +44,9 @@ public:
     // The divider's column in a picture of that width, where two states are shown side by side.
     std::optional<int> divider(int width, const ui::AccuracyMemory& memory) const;
 
+    // The size of pictures that are measured, if it is not that of the window's picture, which takes too long.
+    std::optional<PixelSize> reduced() const;
+
     // True if the picture must be drawn although it is unchanged.
     bool wants_picture(const Display& display) const { return frame_costs_.wants_picture() && display.lasts() == 0; }
     // Call these before and after a picture, or a strip of it, is drawn. begin_picture() returns the function for
@@ -66,9 +69,9 @@ public:
     bool draws() const { return pixels_.busy(); }
     // Draws one picture to measure it, or some, with `alive` called between them. Returns true if there is something
     // new to show.
-    bool step(Document* document, const Display& display, const std::function<void()>& alive);
+    bool step(Document* document, const std::function<void()>& alive);
     // Starts and stops what the panels ask for. Returns a command to be copied, or "".
-    std::string serve(const ui::Requests& requests, Document* document, const Display& display, ui::Memory& memory);
+    std::string serve(const ui::Requests& requests, Document* document, ui::Memory& memory);
 
     // Fills in the results, without the explanation.
     void tell(ui::Facts& facts, Document* document, const Session& session, const ui::Memory& memory);
@@ -83,6 +86,8 @@ public:
 
 private:
     std::string found_text() const;
+    // The window's picture, or a smaller one of the same where it takes too long.
+    const Stand& measured(const Display& display);
 
     gl::Caps caps_;
     AccuracyView accuracy_;
@@ -94,6 +99,8 @@ private:
     Explanation explanation_;
     std::pair<std::uint64_t, int> explained_;  // the revision and Runtime::form() that explanation_ belongs to
     bool linking_ = false;                     // programs that tell what values switch off
+    Stand measured_;                           // see measured()
+    int samples_ = 1;                          // of the window's picture
 };
 
 }  // namespace snell

@@ -107,6 +107,11 @@ private:
     // what is waited for.
     bool first_picture();
     void show_before_first(bool repaint);
+    // Draws the scene if its picture would change. Where that takes long and nothing shows that it is at work, the
+    // status line says so before.
+    bool draw_told();
+    // What the window shows: the last picture, what is measured over it, and the panels.
+    void show_all();
     // Draws the panels over what the window shows, and presents it.
     void paint();
     bool draw_scene();
@@ -138,6 +143,7 @@ private:
     std::string pictured_;              // the scene of which a picture was kept
     std::string question_, answered_;   // see listen()
     int steps_ = 0;                     // since the question, without rest
+    bool tells_ = false;                // the picture that is drawn next takes long, and the status line says so
     bool specialised_ = false;          // nothing more can be compiled for the values as they are
 };
 
@@ -407,7 +413,7 @@ bool App::measure() {
     if (!measuring_.busy()) return false;
     const auto alive = [this] { hang_.begin("measuring"); };
     alive();
-    const bool measured = measuring_.step(workspace_.document(), display_, alive);
+    const bool measured = measuring_.step(workspace_.document(), alive);
     hang_.rest();
     if (measured) settle(1);
     return measured;
@@ -469,10 +475,14 @@ ui::Facts App::facts() {
     facts.frame_ms = display_.counters().frame_ms;
     facts.samples = display_.samples();
     facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
+    if (tells_) facts.grain = "drawing\u2026";
     if (const double share = display_.sharp_share(); share > 0)
         facts.grain = fmt::format("sharp one: {:.0f} %", 100 * share);
     else if (const auto flagged = measuring_.flagged())
         facts.grain = fmt::format("marks: {:.0f} %", 100 * *flagged);
+    if (const auto size = measuring_.reduced())
+        facts.reduced =
+            fmt::format("Measured at {} x {}: a picture of this size takes too long.", size->width, size->height);
     facts.renderer = caps_.renderer;
     facts.first_picture = first_picture();
     facts.longest_picture = options_.timeout;
@@ -493,8 +503,7 @@ void App::serve(const ui::Requests& requests) {
     if (requests.save && workspace_.session().awaits_own()) reload();  // its last save, which this one is based on
     show_scene(workspace_.serve(requests, shown, *window_, interface_.view(), memory));
     if (workspace_.follow_rungs()) settle(until_equal);
-    if (const std::string command = measuring_.serve(requests, workspace_.document(), display_, memory);
-        !command.empty()) {
+    if (const std::string command = measuring_.serve(requests, workspace_.document(), memory); !command.empty()) {
         window_->set_clipboard(command);
         memory.notice = "copied: " + command;
     }
@@ -504,14 +513,14 @@ void App::serve(const ui::Requests& requests) {
 }
 
 void App::show(bool repaint) {
-    const PixelSize pixels = window_->framebuffer();
     const ui::Memory& memory = interface_.memory();
     remember_size();
     const bool first = first_picture();
     if (first) show_before_first(repaint);
     Document* document = workspace_.document();
-    const bool drew = document && draw_scene();
+    const bool drew = document && draw_told();
     if (lost()) return;
+    document = workspace_.document();
     if (first) interface_frame({});
     const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_,
                                                     !running() && !interface_.pressed(), memory);
@@ -519,12 +528,29 @@ void App::show(bool repaint) {
     // The divider is in the interface's picture.
     const std::array now{interface_.picture(), measuring_.revision(memory)};
     if (drew || told || repaint || now != presented_) {
-        display_.show(pixels, measuring_.divider(display_.drawn().stand.width, memory.accuracy));
-        if (document) measuring_.show(display_.bottom(pixels), memory);
-        paint();
+        show_all();
         presented_ = now;
     }
     if (!options_.state_file.empty()) write_state();
+}
+
+void App::show_all() {
+    const PixelSize pixels = window_->framebuffer();
+    const ui::Memory& memory = interface_.memory();
+    display_.show(pixels, measuring_.divider(display_.drawn().stand.width, memory.accuracy));
+    if (workspace_.document()) measuring_.show(display_.bottom(pixels), memory);
+    paint();
+}
+
+bool App::draw_told() {
+    const bool drew = draw_scene();
+    if (!tells_) return drew;
+    interface_frame({});
+    show_all();
+    if (!options_.state_file.empty()) write_state();
+    const bool drawn = workspace_.document() && draw_scene();
+    tells_ = false;
+    return drawn;
 }
 
 bool App::first_picture() { return workspace_.document() && begun_ != workspace_.session().path(); }
@@ -582,6 +608,8 @@ bool App::draw_scene() {
         right->next.stand.values = values_of(beside->controls);
     }
     if (!display_.prepare(std::move(left), std::move(right), wanted)) return false;
+    tells_ = !tells_ && display_.slow();
+    if (tells_) return false;
     hang_.begin("drawing a frame of " + workspace_.name());
     const bool drew = display_.draw(measuring_.begin_picture(revision + (showing << 32U), display_), density);
     hang_.rest();

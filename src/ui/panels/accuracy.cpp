@@ -298,6 +298,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
     if (!memory.open) return;
     const float indent = ImGui::GetStyle().FramePadding.x * .5F;
     ImGui::Indent(indent);
+    reduced_line(facts, layout);
     if (facts.accuracy) {
         figures(facts, layout);
         show_buttons(memory, layout);

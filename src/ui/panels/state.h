@@ -94,6 +94,7 @@ struct Facts {
     double frame_ms = 0;                   // time to draw the last picture, in milliseconds
     int samples = 1;                       // per pixel, of a sharp picture
     std::string grain;  // how much coarser the last picture is, because something is dragged; empty if sharp
+    std::string reduced;  // what is measured has fewer pixels than the picture; empty if it has as many
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists

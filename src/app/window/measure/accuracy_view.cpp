@@ -127,7 +127,10 @@ bool RungCosts::error_step(const accuracy::Picture& reference, int samples, cons
     Job& job = *job_;
     const Controls controls = job.controls(job.errors.size());
     if (job.mean->samples() == samples) job.mean->restart();
-    job.mean->add(*job.runtime, {.time = job.frame->time, .view = job.frame->view, .controls = controls}, clock);
+    job.mean->add(
+        *job.runtime,
+        {.time = job.frame->time, .view = job.frame->view, .controls = controls, .enlarged = job.frame->enlarged},
+        clock);
     if (job.mean->samples() < samples) return false;
     job.errors.push_back(accuracy::compare(job.mean->picture(*job.runtime), reference).light.rmse);
     job.done = errors_part * static_cast<double>(job.errors.size()) / static_cast<double>(job.rungs.size());
@@ -140,7 +143,10 @@ void RungCosts::begin_rounds(const accuracy::FrameClock& clock) {
     for (std::size_t i = 0; i < job.rungs.size(); ++i) {
         const auto timed = [&job, i](const auto& by) {
             const Controls controls = job.controls(i);
-            const Frame frame{.time = job.frame->time, .view = job.frame->view, .controls = controls};
+            const Frame frame{.time = job.frame->time,
+                              .view = job.frame->view,
+                              .controls = controls,
+                              .enlarged = job.frame->enlarged};
             return by([&] { job.runtime->draw(frame, job.mean->surface()); });
         };
         entrants.push_back(
@@ -219,6 +225,15 @@ void choose_last(const Scene& scene, Rungs& rungs) {
 
 }  // namespace
 
+Stand smaller(Stand stand, int divide) {
+    stand.width = (stand.width + divide - 1) / divide;
+    stand.height = (stand.height + divide - 1) / divide;
+    stand.view.mouse_x /= divide;
+    stand.view.mouse_y /= divide;
+    stand.enlarged *= divide;
+    return stand;
+}
+
 Refinement::Refinement(std::string path, const gl::Caps& caps)
     : path_(std::move(path)), caps_(caps), clock_(caps.software) {}
 
@@ -295,7 +310,8 @@ bool Refinement::reference_step() {
     if (!scene_) last.rungs = reference.runtime->rungs();
     if (!scene_) choose_last(reference.scene(), last.rungs);
     const View view = without_axes();
-    means_->reference.add(*reference.runtime, {.time = stand_.time, .view = view, .controls = last}, clock_);
+    means_->reference.add(*reference.runtime,
+                          {.time = stand_.time, .view = view, .controls = last, .enlarged = stand_.enlarged}, clock_);
     const std::size_t reached = level(means_->reference.samples());
     if (reached == levels.size()) return false;
     references_[reached] = means_->reference.picture(*reference.runtime);
@@ -305,8 +321,9 @@ bool Refinement::reference_step() {
 
 bool Refinement::chosen_step() {
     const View view = without_axes();
-    const accuracy::Times took =
-        means_->chosen.add(*shown_->runtime, {.time = stand_.time, .view = view, .controls = controls_}, clock_);
+    const accuracy::Times took = means_->chosen.add(
+        *shown_->runtime, {.time = stand_.time, .view = view, .controls = controls_, .enlarged = stand_.enlarged},
+        clock_);
     if (!std::exchange(cold_, false)) {
         if (times_.size() == most_times) times_.erase(times_.begin());
         times_.push_back(chosen(took, clock_.plain()));
@@ -323,7 +340,8 @@ bool Refinement::chosen_step() {
 
 bool Refinement::cost_step() {
     const View view = without_axes();
-    return costs_.step(*reference_->runtime, {.time = stand_.time, .view = view, .controls = controls_},
+    return costs_.step(*reference_->runtime,
+                       {.time = stand_.time, .view = view, .controls = controls_, .enlarged = stand_.enlarged},
                        references_.back(), levels.back(), clock_, caps_.es);
 }
 
@@ -447,7 +465,7 @@ void AccuracyView::show(int y, const ui::AccuracyMemory& memory) {
         uploaded_ = revision(memory);
         still_.set(reference->width, reference->height, heat_of(now()->differences()));
     }
-    still_.show(0, y, 0);
+    still_.show(0, y, now()->enlarged());
 }
 
 }  // namespace snell

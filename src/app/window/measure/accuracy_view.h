@@ -69,8 +69,13 @@ struct Stand {
     double time = 0;
     View view;
     std::vector<double> values;
+    int enlarged = 1;  // that of Frame
     bool operator==(const Stand&) const = default;
+
 };
+
+// The same with so many times fewer pixels along a side.
+Stand smaller(Stand stand, int divide);
 
 // Compares the picture of the chosen rungs with the reference, which has the last rung of every ladder, or that of a
 // found rung with the scene as it is. While nothing else happens, both are refined sample by sample; each step draws
@@ -97,6 +102,8 @@ public:
 
     // `ladder` is the one whose rungs are plotted.
     ui::AccuracyFacts facts(std::size_t ladder) const;
+    // How many times larger than the pictures that are compared the window shows them.
+    int enlarged() const { return stand_.enlarged; }
     // The reference in its current refinement; null if there is none yet.
     const accuracy::Picture* reference() const;
     // For each pixel the root mean square of the differences of display values in red, green and blue; empty if there

@@ -123,6 +123,7 @@ constexpr std::chrono::seconds longest_wait{2};
 // Without what the numbers of found rungs do not depend on.
 Stand circumstances(Stand stand) {
     stand.width = stand.height = 0;
+    stand.enlarged = 1;
     stand.time = 0;
     stand.view.axes = false;
     stand.view.mouse_x = stand.view.mouse_y = 0;

@@ -46,7 +46,8 @@ struct FrameCosts::Apart {
     double done = 0;
 
     void draw(const std::function<void(const Step&)>* after = nullptr) const {
-        Frame frame{.time = stand->time, .view = stand->view, .controls = document->controls};
+        Frame frame{
+            .time = stand->time, .view = stand->view, .controls = document->controls, .enlarged = stand->enlarged};
         frame.after = after;
         document->runtime->draw(frame, {target.framebuffer.get(), target.width, target.height});
     }

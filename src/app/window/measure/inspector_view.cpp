@@ -109,7 +109,7 @@ bool PixelView::flag(Document& shown, const Stand& stand) {
 }
 
 void PixelView::show(int y) const {
-    if (facts_.flags) still_.show(0, y, 0);
+    if (facts_.flags) still_.show(0, y, 1);
 }
 
 namespace {
