@@ -237,8 +237,8 @@ TEST_F(SlowPictures, AreMeasuredWithFewerPixels) {
          "    for (int i = 0; i < int(uRounds); ++i) x += sin(x);\n"
          "#if RED == RED_none\n    float red = 0.;\n#else\n    float red = 1.;\n#endif\n"
          "    gl_FragColor = vec4(red, 1., 1e-9 * x, 1.);\n}\n");
-    save("slow.glib", "Ladder RED <none> all\n" + scene("1500"));
-    open("slow.glib", {"--no-specialise", "--size", "800x740"});
+    save("slow.glib", "Ladder RED <none> all\n" + scene(slow));
+    open("slow.glib", {"--no-specialise"});
     EXPECT_FALSE(state()["widgets"].contains("reduced"));
     user("key a");
     EXPECT_TRUE(wait(

@@ -24,10 +24,11 @@ void Measuring::leave() {
 // What it takes is known roughly only, and a picture of another size is measured from the beginning.
 const Stand& Measuring::measured(const Display& display) {
     constexpr int smallest = 16;  // a divisor
-    const double lasts = display.lasts();
+    const bool sharp = display.drawn().grain == 0 && display.sharp_share() == 0;
+    const double lasts = display.lasts() > 0 && sharp ? display.counters().frame_ms : display.lasts();
     int divide = lasts > 0 ? std::max(measured_.enlarged, 1) : 1;
     while (divide < smallest && lasts / divide / divide > 2 * Strips::aim) divide *= 2;
-    while (divide > 1 && lasts / divide / divide < Strips::aim / 8) divide /= 2;
+    while (divide > 1 && lasts / divide / divide < Strips::aim / 2) divide /= 2;
     measured_ = display.drawn().stand;
     samples_ = display.samples();
     if (divide > 1) measured_ = smaller(std::move(measured_), divide);
