@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "parser/text/words.h"
 #include "src/content/image/formats.h"
 
 namespace snell::content {
