@@ -476,10 +476,12 @@ ui::Facts App::facts() {
     facts.samples = display_.samples();
     facts.grain = grains[static_cast<std::size_t>(display_.drawn().grain)].text;
     if (tells_) facts.grain = "drawing\u2026";
+    // In steps, because the panels are drawn again for each.
+    const auto percent = [](double share) { return static_cast<int>(20 * share) * 5; };
     if (const double share = display_.sharp_share(); share > 0)
-        facts.grain = fmt::format("sharp one: {:.0f} %", 100 * share);
+        facts.grain = fmt::format("sharp one: {} %", percent(share));
     else if (const auto flagged = measuring_.flagged())
-        facts.grain = fmt::format("marks: {:.0f} %", 100 * *flagged);
+        facts.grain = fmt::format("marks: {} %", percent(*flagged));
     if (const auto size = measuring_.reduced())
         facts.reduced =
             fmt::format("Measured at {} x {}: a picture of this size takes too long.", size->width, size->height);

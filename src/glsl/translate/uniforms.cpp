@@ -8,6 +8,7 @@
 
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
+#include "src/glsl/read/lexer.h"
 #include "src/glsl/read/parse.h"
 #include "src/glsl/read/words.h"
 #include "src/glsl/translate/program.h"
