@@ -123,6 +123,37 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
     EXPECT_FALSE(saved[0].rgb == saved[2].rgb);
 }
 
+// What the dialog of a scene begins with, it begins with again when the scene was left.
+TEST_F(SavedPicture, ASequenceBeginsWithTheScenesTimeAndTheWindowsSize) {
+    save("other.glib", "Sphere 1.\n");
+    std::string scene = bytes("scene.glib");
+    scene.replace(scene.find("Timer 1"), 7, "Timer 3");
+    save("scene.glib", scene);
+    save("paint.frag", "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(Timer, uRed, 0., 1.); }\n");
+    open("scene.glib", {"--size", "640x480"});
+    user("key space");
+    const auto command = [this] {
+        choose("save", "sequence");
+        click("picture command");
+        const std::string text = state()["notice"];
+        user("key Escape");
+        settle();
+        return text;
+    };
+    const std::string first = command();
+    EXPECT_NE(first.find("--frames 75 --fps 25"), std::string::npos) << first;
+    EXPECT_NE(first.find("scene.png"), std::string::npos) << first;
+    for (const char* name : {"other.glib", "scene.glib"}) {
+        user("key ctrl+o");
+        settle();
+        user("type --delay 8 " + std::string(name));
+        user("key Return");
+        ASSERT_TRUE(wait([&](const json& s) { return s["file"].get<std::string>().ends_with(name); }));
+        settle();
+    }
+    EXPECT_EQ(command(), first);
+}
+
 // Half a period later the slider is at the mirrored place of its range.
 TEST_F(SavedPicture, ASequenceShowsOnePeriodOfAnAnimatedSlider) {
     save("paint.frag", "uniform float uRed;\nvoid main() { gl_FragColor = vec4(uRed, 0., 0., 1.); }\n");

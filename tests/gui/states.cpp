@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "src/content/image/image.h"
 #include "tests/gui/desk.h"
 #include "tests/screens.h"
 
@@ -122,7 +123,20 @@ TEST_F(States, OfTheTextAreThereToo) {
     click("accuracy.other");
     settle();
     const Pixel hot = scene_pixel(30, 20);
-    EXPECT_GT(hot.red, 200);
+    // Of light, as its legend says, in red and green.
+    const auto light = [](double value) { return std::pow((value + .055) / 1.055, 2.4); };
+    const double apart = std::hypot(light(slid) - light(.2), light(.7) - light(.4)) / std::sqrt(3);
+    const auto heat = content::heat(1 + std::log10(apart) / 3);
+    EXPECT_NEAR(hot.red, 255 * heat[0], 2);
+    EXPECT_NEAR(hot.green, 255 * heat[1], 2);
+    user("mousemove " + std::to_string(static_cast<int>(area[2] / 2) + 30) + " " +
+         std::to_string(static_cast<int>(area[3] / 2) + 20) + " keydown i");
+    EXPECT_TRUE(wait([](const json& s) { return s.contains("pixels") && s["pixels"].contains("difference"); }));
+    const json pixels = state()["pixels"];
+    EXPECT_NEAR(pixels.value("difference", 0.), apart, 1e-3);
+    EXPECT_TRUE(pixels.value("title", "").ends_with(", left: now")) << pixels;
+    user("keyup i");
+    settle();
     user("key s");
     settle();
     expect({slid, .7, .5}, {slid, .7, .5}, "the picture");

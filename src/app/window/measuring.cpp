@@ -61,13 +61,17 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
     // The half under the pointer.
     const std::optional<int> column = divider(stand.width, memory.accuracy);
     const bool right = column && memory.pixels.x * density >= *column;
+    const bool heat = states_.active() && memory.accuracy.show == ui::AccuracyMemory::Show::heat;
     ui::PixelMemory asked = memory.pixels;
     asked.inspecting &= !column || found_.rung() || states_.shows(right);
     const std::string name = !found_.rung() ? states_.text(right) : right ? "the scene as it is" : found_text();
-    const std::string half = column ? (right ? "right: " : "left: ") + name : "";
-    return pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density, half,
-                          {display.lasts(), sharp && display.sharp_share() == 0}) ||
-           opened || texels || found;
+    const std::string half = column || heat ? (right ? "right: " : "left: ") + name : "";
+    bool pixels = pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density,
+                                 half, {display.lasts(), sharp && display.sharp_share() == 0});
+    const Inspection* const inspected = heat ? pixels_.inspection() : nullptr;
+    pixels |= pixels_.set_difference(inspected ? accuracy_.difference(inspected->x, inspected->y, memory.accuracy)
+                                               : std::nullopt);
+    return pixels || opened || texels || found;
 }
 
 bool Measuring::step(Document* document, const std::function<void()>& alive) {

@@ -53,12 +53,12 @@ std::vector<std::string> files_of(const std::string& scene, const Picture& pictu
 
 }  // namespace
 
-// The default is a file next to the scene, in the size of the window's picture.
+// The default is a file next to the scene, in the size of the window's picture, and a sequence of one round of its
+// time.
 void PictureSaver::fill(const Document& document, const Picture& shown, ui::PictureMemory& picture) {
     picture.error.clear();
     picture.there.clear();
-    if (filled_for_ == document.path) return;
-    filled_for_ = document.path;
+    if (picture.width > 0) return;
     std::error_code error;
     fs::path path = fs::absolute(document.path, error).replace_extension("png");
     std::string text;
@@ -67,6 +67,7 @@ void PictureSaver::fill(const Document& document, const Picture& shown, ui::Pict
     picture.file[length] = '\0';
     picture.width = shown.width;
     picture.height = shown.height;
+    if (document.runtime->animated()) picture.to = document.scene().timer_period;
 }
 
 void PictureSaver::serve(const ui::Requests& requests, const Document& document, const Picture& shown, Window& window,

@@ -54,7 +54,6 @@ private:
     gl::Caps caps_;
     Limits limits_;
     std::unique_ptr<Work> work_;
-    std::string filled_for_;  // the scene that the dialog's fields were filled for
     std::uint64_t revision_ = 0;
 };
 

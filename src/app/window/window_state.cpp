@@ -90,6 +90,7 @@ json pixels_of(const ui::PixelFacts& facts) {
     pixels["at"] = {found.x, found.y};
     for (const float value : found.pixel()) pixels["rgba"].push_back(ui::value_text(value).view());
     if (found.distance) pixels["distance"] = *found.distance;
+    if (facts.difference) pixels["difference"] = *facts.difference;
     pixels["statement"] = facts.statement;
     pixels["place"] = facts.place;
     return pixels;

@@ -163,7 +163,8 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
     const ImVec2 padding = ImGui::GetStyle().WindowPadding, all = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize(), lines = 5 + static_cast<float>(!pixels.half.empty()) +
                                                    static_cast<float>(found.depth.has_value()) +
-                                                   static_cast<float>(found.distance.has_value());
+                                                   static_cast<float>(found.distance.has_value()) +
+                                                   static_cast<float>(pixels.difference.has_value());
     const float pixels_wide = static_cast<float>(2 * found.radius + 1), line = ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 inner(.9F * em * pixels_wide + 14.5F * em,
                        std::max(.9F * em * pixels_wide, line * lines) + 2.2F * line);
@@ -190,6 +191,7 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
         ImGui::TextDisabled("%s", pixels.at.c_str());
         if (!pixels.half.empty()) fitted(pixels.half, ImGui::GetContentRegionAvail().x, true);
         channels(found, fonts);
+        if (pixels.difference) ImGui::TextUnformatted(Text("difference of light {:.4g}", *pixels.difference).c_str());
         if (found.depth) {
             ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());
             if (found.distance) ImGui::TextUnformatted(Text("distance from the eye: {:.6g}", *found.distance).c_str());

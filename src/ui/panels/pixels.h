@@ -25,6 +25,7 @@ struct PixelFacts {
     std::string at;                          // "pixel 12, 34"
     std::string half;                        // "right: as saved", where two states are shown
     std::string statement, place;            // what the pixel shows, and more of it; both empty if nothing covers it
+    std::optional<double> difference;        // of light between two states, under their heat map
     std::optional<FlagCounts> flags;         // set while PixelMemory::flags
     std::string note;                        // why there are no flags; empty if there are
     std::optional<double> drawn;             // how much of a picture with new flags, where that takes long

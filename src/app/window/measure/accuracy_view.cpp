@@ -363,16 +363,39 @@ const accuracy::Picture* Refinement::reference() const {
     return samples_ > 0 ? &references_[level(reference_samples_)] : nullptr;
 }
 
+namespace {
+
+double difference_of(std::span<const float> a, std::span<const float> b) {
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (a[c] == b[c]) continue;
+        const double difference =
+            content::light_of_srgb(static_cast<double>(a[c])) - content::light_of_srgb(static_cast<double>(b[c]));
+        sum += difference * difference;
+    }
+    return std::sqrt(sum / 3);
+}
+
+}  // namespace
+
 std::vector<float> Refinement::differences() const {
     std::vector<float> differences;
     if (samples_ == 0) return differences;
-    const std::vector<float>& a = chosen_.rgba;
-    const std::vector<float>& b = references_[level(samples_)].rgba;
-    for (std::size_t i = 0; i + 3 < a.size(); i += 4) {
-        const float red = a[i] - b[i], green = a[i + 1] - b[i + 1], blue = a[i + 2] - b[i + 2];
-        differences.push_back(std::sqrt((red * red + green * green + blue * blue) / 3));
-    }
+    const std::span<const float> a = chosen_.rgba, b = references_[level(samples_)].rgba;
+    differences.reserve(a.size() / 4);
+    for (std::size_t i = 0; i + 3 < a.size(); i += 4)
+        differences.push_back(static_cast<float>(difference_of(a.subspan(i, 3), b.subspan(i, 3))));
     return differences;
+}
+
+std::optional<double> Refinement::difference(int x, int y) const {
+    x /= stand_.enlarged;
+    y /= stand_.enlarged;
+    if (samples_ == 0 || x < 0 || y < 0 || x >= chosen_.width || y >= chosen_.height) return std::nullopt;
+    const std::size_t i =
+        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(chosen_.width) + static_cast<std::size_t>(x));
+    const std::span<const float> a = chosen_.rgba, b = references_[level(samples_)].rgba;
+    return difference_of(a.subspan(i, 3), b.subspan(i, 3));
 }
 
 ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
@@ -456,6 +479,10 @@ const ui::AccuracyFacts* AccuracyView::facts(const ui::AccuracyMemory& memory) {
 std::uint64_t AccuracyView::revision(const ui::AccuracyMemory& memory) const {
     if (!now() || memory.show != Show::heat) return 0;
     return 4 * now()->revision() + (beside_ ? std::uint64_t{1} << 62U : 0) + static_cast<std::uint64_t>(memory.show);
+}
+
+std::optional<double> AccuracyView::difference(int x, int y, const ui::AccuracyMemory& memory) const {
+    return now() && memory.show == Show::heat ? now()->difference(x, y) : std::nullopt;
 }
 
 void AccuracyView::show(int y, const ui::AccuracyMemory& memory) {

@@ -106,9 +106,11 @@ public:
     int enlarged() const { return stand_.enlarged; }
     // The reference in its current refinement; null if there is none yet.
     const accuracy::Picture* reference() const;
-    // For each pixel the root mean square of the differences of display values in red, green and blue; empty if there
-    // is no reference yet.
+    // For each pixel the root mean square of the differences of light in red, green and blue; empty if there is no
+    // reference yet.
     std::vector<float> differences() const;
+    // The same of one pixel of the window's picture, from the upper left.
+    std::optional<double> difference(int x, int y) const;
     // Increases whenever a result of the functions above changes.
     std::uint64_t revision() const { return revision_; }
 
@@ -175,6 +177,8 @@ public:
     void measure(const ui::AccuracyMemory& memory);
     // Null while the panel is closed, and where there is nothing to compare with. Valid until the next call.
     const ui::AccuracyFacts* facts(const ui::AccuracyMemory& memory);
+    // The difference that the heat map shows at a pixel, from the upper left; nothing if it is not shown.
+    std::optional<double> difference(int x, int y, const ui::AccuracyMemory& memory) const;
     // Draws the heat map over the window's picture, whose bottom left is at pixel (0, y).
     void show(int y, const ui::AccuracyMemory& memory);
     // Changes whenever show() would draw something else.

@@ -39,6 +39,12 @@ public:
     bool busy() const { return strips_.has_value(); }
     // Null while nothing is requested. Valid until the next call of follow().
     const ui::PixelFacts* facts() const { return pixels_ ? &facts_ : nullptr; }
+    // The pixel that is inspected, from the upper left; null if none is.
+    const Inspection* inspection() const { return pixels_ ? facts_.inspection : nullptr; }
+    // That of two states there. Returns true if it must be shown again.
+    bool set_difference(std::optional<double> difference) {
+        return std::exchange(facts_.difference, difference) != difference;
+    }
     // Draws the flagged pixels over the window's picture, whose bottom left is at pixel (0, y).
     void show(int y) const;
 
