@@ -67,6 +67,23 @@ TEST_F(Values, ARangeIsWidenedWhenTheNumberIsEnteredAndNotBefore) {
     }
 }
 
+// The next frame may come a second later, after a slow picture.
+TEST_F(Values, KnobAndNumberOfADragSayTheSameInEachFrame) {
+    add_slider("uEta", 0, .5, 10);
+    const Rect at = place("Glass.uEta");
+    const float y = at.y + at.height / 2;
+    frame({move(at.x + 10, y)});
+    frame({button(true)});
+    for (const float x : {30.F, 60.F, 90.F}) {
+        frame({move(at.x + x, y)});
+        const std::uint64_t moved = picture_;
+        if (x == 30) continue;  // a dot is there from now on
+        frame();
+        EXPECT_EQ(picture_, moved) << x;
+    }
+    frame({button(false)});
+}
+
 TEST_F(Values, ACommaAndArithmeticAreEvaluatedOnEnter) {
     add_slider("uEta", 0, .5, 10);
     for (const auto& [text, wanted] : {std::pair("0,7", .7), {"1/3", 1. / 3}, {"2*pi", 2 * M_PI}, {"-(1-3)", 2.}}) {

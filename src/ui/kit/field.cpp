@@ -364,8 +364,6 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
         range.max = std::max(range.max, value);
         return value != before;
     }
-    if (number_width > 0 && number_beside({{whole.Max.x - number_width, box.Min.y}, whole.Max}, value, range))
-        type_number(id, value);
     range.reset = hovered && io.MouseClicked[1];
     if (range.reset) value = initial;
     value = stepped(value, key_steps(id), range);
@@ -379,6 +377,9 @@ bool slider(const char* label, double& value, SliderRange& range, double initial
         else if (range.min < range.max)
             value = dragged_to(box, value, range, memory);
     }
+    // After what changes the value: number and knob say the same, however long the next picture takes.
+    if (number_width > 0 && number_beside({{whole.Max.x - number_width, box.Min.y}, whole.Max}, value, range))
+        type_number(id, value);
     draw_slider(box, id, hovered, fraction_of(value, range));
     draw_focus(whole, id);
     return value != before;
