@@ -1,4 +1,4 @@
-// The view as an option of the command line: what is written reads back to the same bits.
+// The view as an option of the command line: what is written reads back to the same bits. What is said of two states.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "src/app/open/states.h"
 #include "src/plan/setup.h"
 
 namespace snell {
@@ -88,6 +89,18 @@ TEST(ViewText, WhatIsWrongIsSaid) {
         View view;
         EXPECT_NE(parse_view(text, view), "") << text;
     }
+}
+
+TEST(StateDifference, NamesEachValueWhereThereAreSome) {
+    const auto told = [](const snell::Setup& left, const snell::Setup& right) {
+        const auto [a, b] = difference(left, right);
+        return a + " | " + b;
+    };
+    EXPECT_EQ(told({{"--set March.uSteps", "40000"}}, {{"--set March.uSteps", "5000"}}), "uSteps 40000 | 5000");
+    EXPECT_EQ(told({{"--set M.uA", "4.53512"}, {"--set M.uSteps", "1234567"}, {"--set M.uB", "1"}},
+                   {{"--set M.uA", "1"}, {"--set M.uSteps", "5e9"}, {"--set M.uB", "1"}}),
+              "uA 4.535, uSteps 1234567 | uA 1, uSteps 5e+09");
+    EXPECT_EQ(told({{"--set M.uA", "1"}}, {{"--set M.uA", "1"}}), " | ");
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #include "src/app/open/states.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "parser/text/ranges.h"
@@ -58,12 +59,15 @@ std::string first_message(const Diagnostics& diagnostics) {
     return first.help.empty() ? first.message : first.message + "; " + first.help;
 }
 
-// "1.33" of "1.3300000000000001", and "1 .5 0" of "1,0.5,0".
+// "1.33" of "1.3300000000000001", "40000" of "40000", and "1 .5 0" of "1,0.5,0".
 std::string short_value(const std::string& text) {
     const std::vector<double> numbers = read_numbers(text);
     if (numbers.empty()) return text;
     std::string words;
-    for (const double number : numbers) words += fmt::format("{}{:.4g}", words.empty() ? "" : " ", number);
+    for (const double number : numbers) {
+        const int digits = std::abs(number) >= 1e4 && std::abs(number) < 1e8 ? 8 : 4;  // whole thousands stay whole
+        words += fmt::format("{}{:.{}g}", words.empty() ? "" : " ", number, digits);
+    }
     return words;
 }
 
@@ -103,19 +107,24 @@ std::string apply_state(const NamedState& state, const Scene& scene, Controls& c
 StateDifference difference(const Setup& left, const Setup& right) {
     StateDifference found;
     std::size_t count = 0;
-    for (const auto& [key, value] : left) {
-        const bool rung = key.starts_with(ladder_option);
-        const auto other = right.find(key);
-        if ((!rung && !key.starts_with(set_option)) || other == right.end() || other->second == value) continue;
-        if (++count > most_differences) continue;
-        const std::string name = key.substr(rung ? key.find(' ') + 1 : key.rfind('.') + 1);
+    const auto differs = [&](const Setup::value_type& here) {
+        const auto there = right.find(here.first);
+        return (here.first.starts_with(ladder_option) || here.first.starts_with(set_option)) && there != right.end() &&
+               there->second != here.second;
+    };
+    const auto all = static_cast<std::size_t>(ranges::count_if(left, differs));
+    for (const auto& here : left) {
+        if (!differs(here) || ++count > most_differences) continue;
+        const auto& [key, value] = here;
+        const std::string name = key.substr((key.starts_with(ladder_option) ? key.find(' ') : key.rfind('.')) + 1);
         const char* comma = count > 1 ? ", " : "";
         found.left += fmt::format("{}{} {}", comma, name, short_value(value));
-        found.right += comma + short_value(other->second);
+        // Of a single one the left says which.
+        found.right += fmt::format("{}{}{}", comma, all > 1 ? name + " " : "", short_value(right.at(key)));
     }
-    if (count > most_differences)
+    if (all > most_differences)
         for (std::string* side : {&found.left, &found.right})
-            *side += fmt::format(" and {} more", count - most_differences);
+            *side += fmt::format(" and {} more", all - most_differences);
     return found;
 }
 
