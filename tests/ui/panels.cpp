@@ -507,7 +507,7 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     memory_.failures.open = {{"not saved: room.glib has changed since it was read: reload it", Remedy::reload}};
     ++facts_.revision;
     EXPECT_TRUE(has("failure.again")) << "it was read, and nothing is saved yet";
-    EXPECT_EQ(memory_.failures.open[0].text, "not saved: room.glib was read again since");
+    EXPECT_EQ(memory_.failures.open[0].text, "not saved: room.glib is read again now: try again");
     memory_.failures.open = {{"not saved: room.glib has changed", Remedy::reload}};
     EXPECT_TRUE(has("failure.ok"));
     facts_.changed = false;

@@ -479,7 +479,7 @@ ui::Facts App::facts() {
     // In steps, because the panels are drawn again for each.
     const auto percent = [](double share) { return static_cast<int>(20 * share) * 5; };
     if (const double share = display_.sharp_share(); share > 0)
-        facts.grain = fmt::format("sharp one: {} %", percent(share));
+        facts.grain = fmt::format("drawing sharp: {} %", percent(share));
     else if (const auto flagged = measuring_.flagged())
         facts.grain = fmt::format("marks: {} %", percent(*flagged));
     if (const auto size = measuring_.reduced())

@@ -343,7 +343,7 @@ void reread(Failure& failure, const Facts& facts) {
     if (!again) return;
     failure.remedy = Remedy::save;
     const std::size_t name = std::min(failure.text.find(" has changed since"), failure.text.find(" is gone"));
-    if (name != failure.text.npos) failure.text = failure.text.substr(0, name) + " was read again since";
+    if (name != failure.text.npos) failure.text = failure.text.substr(0, name) + " is read again now: try again";
 }
 
 // True if what could not be done has become needless.
