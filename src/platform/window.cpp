@@ -107,6 +107,12 @@ GLFWmonitor* monitor_at(int x, int y) {
     return GLFW(GetPrimaryMonitor)();
 }
 
+// Null on other platforms than X11.
+void* display() {
+    const auto get = found<void* (*)()>("glfwGetX11Display");
+    return get ? get() : nullptr;
+}
+
 GLFWwindow* make_window(const WindowRequest& request) {
     constexpr std::array<std::pair<int, int>, 3> versions{{{4, 5}, {4, 1}, {3, 3}}};
     for (const auto& [major, minor] : versions) {
@@ -151,7 +157,7 @@ std::unique_ptr<Window> Window::make(const WindowRequest& request, std::string& 
     return std::unique_ptr<Window>(new Window(handle));
 }
 
-Window::Window(GLFWwindow* handle) : handle_(handle), looked_(now()) {
+Window::Window(GLFWwindow* handle) : handle_(handle), looked_(now()), presses_(display()) {
     GLFW(SetWindowUserPointer)(handle_, this);
     GLFW(MakeContextCurrent)(handle_);
     GLFW(SwapInterval)(1);
@@ -174,11 +180,20 @@ Window& Window::of(GLFWwindow* handle) { return *static_cast<Window*>(GLFW(GetWi
 void Window::push(Event event) {
     event.seen = now();
     event.since = std::min(looked_, event.seen);
+    if (event.kind == Event::Kind::button) date(event);
     // Only the last of several consecutive moves matters, and hundreds can gather during a slow frame.
     if (event.kind == Event::Kind::move && !events_.empty() && events_.back().kind == Event::Kind::move)
         events_.back() = event;
     else
         events_.push_back(event);
+}
+
+// The clock of a server on another machine tells something else.
+void Window::date(Event& event) {
+    constexpr double unsure = .02;  // seconds
+    const double at = event.seen - presses_.next().value_or(1e9);
+    event.known = at > event.since - unsure && at < event.seen + unsure;
+    if (event.known) event.since = std::clamp(at, event.since, event.seen);
 }
 
 void Window::listen() {
@@ -250,7 +265,9 @@ void Window::set_full_screen(bool full) {
 bool Window::full_screen() const { return GLFW(GetWindowMonitor)(handle_) != nullptr; }
 
 void Window::wait(double seconds) {
+    presses_.look();
     GLFW(PollEvents)();
+    presses_.forget();
     if (seconds > 0 && events_.empty() && !closing()) {
         looked_ = std::numeric_limits<double>::infinity();  // what comes now is seen at once
         GLFW(WaitEventsTimeout)(seconds);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "src/platform/press_times.h"
+
 struct GLFWwindow;
 struct GLFWcursor;
 
@@ -71,9 +73,10 @@ struct Event {
     bool down = false;  // for button, key (a repeat is another event with `down` set) and focus
     char32_t text = 0;
     Modifiers modifiers = {};
-    // When it happened, in seconds of Window::now(): at the earliest, which is when events were looked for before, and
-    // when it was seen.
+    // When it happened, in seconds of Window::now(): at the earliest, which is when events were looked for before if
+    // nobody knows, and when it was seen.
     double since = 0, seen = 0;
+    bool known = false;  // it happened at `since`
 };
 
 enum class Cursor : std::uint8_t { arrow, text, hand, resize_horizontal, resize_vertical, count_ };
@@ -128,6 +131,7 @@ private:
     explicit Window(GLFWwindow* handle);
     void listen();
     void push(Event event);
+    void date(Event& event);
     static Window& of(GLFWwindow* handle);
 
     GLFWwindow* handle_;
@@ -137,6 +141,7 @@ private:
     PixelSize before_;
     std::vector<Event> events_;
     double looked_ = 0;  // when events were looked for last
+    PressTimes presses_;
     std::vector<std::string> dropped_;
 };
 

@@ -281,7 +281,7 @@ TEST_F(SlowPictures, AreCoarseOnceOneTookLongWhateverTheTextSays) {
 TEST_F(SlowPictures, AreDrawnAtOnceWhereVerticesTakeLong) {
     save("paint.vert",
          "uniform float uPhase;\nvoid main() {\n    float x = gl_Vertex.x + uPhase;\n"
-         "    for (int i = 0; i < 900; ++i) x += sin(x + cos(x * 1.7)) + exp(-x * x);\n"
+         "    for (int i = 0; i < 500; ++i) x += sin(x + cos(x * 1.7)) + exp(-x * x);\n"
          "    gl_Position = ftransform() + vec4(0., 0., 1e-9 * x, 0.);\n}\n");
     save("paint.frag", "void main() { gl_FragColor = vec4(0., 1., 0., 1.); }\n");
     save("slow.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPhase <0. 0. 1.>\nSphere 1. 400 400\n");
@@ -299,6 +299,14 @@ TEST_F(SlowPictures, AreDrawnAtOnceWhereVerticesTakeLong) {
     EXPECT_EQ(drawn(), (std::array{1, 0}));
     EXPECT_EQ(state()["strips"], 0);
     EXPECT_GT(state()["ms"][0], 500) << "so that the test judges something";
+    // The first click begins a picture of that length, in which the second one waits.
+    user("mousemove " + std::to_string(x + 20) + " " + std::to_string(y) + " click --repeat 2 --delay 90 1");
+    settle();
+    EXPECT_EQ(state()["controls"]["Paint.uPhase"][0], .25) << "a double click changes nothing";
+    user("key ctrl+a");
+    user("type --delay 8 0.625");
+    user("key Return");
+    EXPECT_TRUE(wait([](const json& s) { return s["controls"]["Paint.uPhase"][0] == .625; }));
 }
 
 // Strip by strip, a sharp picture is that which is drawn at once.

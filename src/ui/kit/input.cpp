@@ -23,10 +23,11 @@ bool is_press(const Event& event) { return event.kind == Event::Kind::button || 
 void count_click(const Event& event) {
     constexpr double longest = .3, apart = 1;  // seconds
     ClickMemory& last = kit().click;
-    const double least = event.since - last.seen, most = event.seen - last.since;
+    const double until = event.known ? event.since : event.seen;
+    const double least = event.since - last.until, most = until - last.since;
     const bool soon = last.button == event.button && least < longest && most <= apart;
     ImGui::GetIO().MouseDoubleClickTime = soon ? 1e6F : -1;
-    last = {event.button, event.since, event.seen};
+    last = {event.button, event.since, until};
 }
 
 }  // namespace

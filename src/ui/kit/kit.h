@@ -102,7 +102,7 @@ struct Drag {
 // The last press of a button.
 struct ClickMemory {
     MouseButton button = MouseButton::left;
-    double since = -1e9, seen = -1e9;  // as in Event
+    double since = -1e9, until = -1e9;  // when it happened at the earliest and at the latest
 };
 
 struct Kit {
