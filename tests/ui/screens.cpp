@@ -116,6 +116,7 @@ TEST_F(SmallestWindow, NoticesWithoutRoomAreCounted) {
     EXPECT_TRUE(visible("failure.ok"));
     EXPECT_FALSE(has("failure 3.ok"));
     EXPECT_TRUE(visible("failure.more"));
+    EXPECT_GE(place("failure.again").y - place("failure.ok").y, 2 * ImGui::GetTextLineHeight()) << "two whole lines";
     if (!screens_folder().empty()) keep_picture("three-notices-420x320-largest-light");
 }
 

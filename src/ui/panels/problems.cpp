@@ -244,7 +244,7 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
         const float least = ImGui::GetFrameHeight(), line = ImGui::GetTextLineHeight();
         float rest = std::max(room - below - 2 * ImGui::GetStyle().WindowPadding.y, least);
         const bool scrolls = height > rest && below > 0;
-        if (scrolls) rest = std::max(std::floor(rest / line) * line, least);  // a line that is seen is seen whole
+        if (scrolls) rest = std::max(std::floor(rest / line), 1.F) * line;  // a line that is seen is seen whole
         if (scrolls) ImGui::BeginChild("text", {wrap + margin, rest});
         if (!scrolls) ImGui::AlignTextToFramePadding();
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
@@ -442,7 +442,7 @@ float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& re
     // where errors need that room as well: these are read, and hidden, first.
     const bool narrow = !has_room(free);
     if (narrow) scene.y += scene.height / 2;
-    if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 7 * ImGui::GetFontSize()));
+    if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 8 * ImGui::GetFontSize()));
     float bottom = first;
     int index = 0;
     begin_notices(memory.notices);
