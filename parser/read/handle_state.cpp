@@ -5,6 +5,7 @@
 #include "parser/commands/handlers.h"
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
+#include "parser/text/ranges.h"
 #include "parser/vectors.h"
 
 namespace snell::handle {
@@ -21,11 +22,25 @@ void change_raster(Builder& b, Change change) {
 
 bool is_on(const Arguments& a) { return a.integer(0) == 0; }
 
+// 255 128 0 rather than a bright light.
+bool of_bytes(const Vec4& color) {
+    const auto byte = [](double v) { return v >= 0 && v <= 255 && v == std::floor(v); };
+    return ranges::all_of(color, byte) && std::max({color[0], color[1], color[2]}) > 16;
+}
+
 // r g b a as four numbers, or as one bracket of three or four.
-Vec4 color_of(const Arguments& a) {
+Vec4 numbers_of_color(const Arguments& a) {
     if (a.alternative() == 0) return {a.number(0), a.number(1), a.number(2), a.number(3)};
     const auto v = a.numbers(0);
     return {v[0], v[1], v[2], v.size() > 3 ? v[3] : 1};
+}
+
+Vec4 color_of(Builder& b, const Arguments& a) {
+    const Vec4 color = numbers_of_color(a);
+    if (of_bytes(color))
+        b.report().warning("color-of-bytes", a.span(), "a colour has numbers from 0 to 1, not to 255",
+                           "divide each by 255");
+    return color;
 }
 
 void apply(Builder& b, const Arguments& a, const Mat4& matrix) {
@@ -143,7 +158,7 @@ void look_at(Builder& b, const Arguments& a) {
     }
 }
 
-void background(Builder& b, const Arguments& a) { b.set_background(color_of(a)); }
+void background(Builder& b, const Arguments& a) { b.set_background(color_of(b, a)); }
 
 void output(Builder& b, const Arguments& a) { b.scene().output = static_cast<Encoding>(a.integer(0)); }
 
@@ -177,7 +192,7 @@ void pop_matrix(Builder& b, const Arguments& a) { b.pop_matrix(a.span()); }
 
 // As in OpenGL, the colour of the draws that follow and of the vertices that follow is the same state.
 void color(Builder& b, const Arguments& a) {
-    b.set_color(color_of(a));
+    b.set_color(color_of(b, a));
     if (VertexListData* list = b.open_list()) {
         if (!list->has_color)
             for (ListVertex& v : list->vertices) v.color = b.list_color();

@@ -9,6 +9,7 @@
 #include "parser/read/builder.h"
 #include "parser/read/match.h"
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "parser/text_of.h"
 
 namespace snell {
@@ -175,15 +176,26 @@ private:
         if (unparenthesised(reader, statement)) return;
         const bool argument = statement.tokens.size() > 1;
         std::string help = help_for_opengl(bare, argument ? lexer.text(statement.tokens[1]) : std::string_view());
-        const bool meant = help.empty() && !near.empty();
-        if (meant) help = "did you mean '" + std::string(near) + "'?";
+        const std::string_view begun = begun_command(bare), name = begun.empty() ? near : begun;
+        const bool meant = help.empty() && !name.empty();
+        if (meant) help = "did you mean '" + std::string(name) + "'?";
         if (help.empty() && bare.find('.') != std::string::npos)
             help = "a file name is not a command: if it belongs to the statement before, end that line with '\\'";
         if (valued && bracketed && current == nullptr) help = "uniforms are given by a Program statement";
         if (statement.command().kind != TokenKind::word) help = "a statement begins with a command";
         Diagnostic& said = report_.error("unknown-command", span, "unknown command '" + word + "'", std::move(help));
         const auto end = span.begin + static_cast<std::uint32_t>(bare.size());
-        if (meant) said.fixes.push_back({{span.file, span.begin, bare == word ? span.end : end}, std::string(near)});
+        if (meant) said.fixes.push_back({{span.file, span.begin, bare == word ? span.end : end}, std::string(name)});
+    }
+
+    // 'Frag' is nearer to 'Flat', but begins 'Fragment': the shortest command that the word begins.
+    static std::string_view begun_command(std::string_view word) {
+        std::string_view shortest;
+        for (const std::string_view name : command_names())
+            if (word.size() > 2 && same_word(name.substr(0, word.size()), word) &&
+                (shortest.empty() || name.size() < shortest.size()))
+                shortest = name;
+        return shortest;
     }
 
     // 'Sphere(1., 20, 20);' as in C.

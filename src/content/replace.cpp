@@ -83,7 +83,9 @@ std::string Replacement::check() const {
     if (fs::is_symlink(target_, error)) return target_.string() + ": " + std::strerror(ELOOP);
     if (!fs::is_directory(folder, error)) return "there is no folder " + folder.string();
     if (!fs::exists(target_, error))
-        return access(folder.c_str(), W_OK) == 0 ? "" : folder.string() + ": " + std::strerror(errno);
+        return access(folder.c_str(), W_OK) == 0
+                   ? ""
+                   : (target_.has_parent_path() ? folder : target_).string() + ": " + std::strerror(errno);
     if (!fs::is_regular_file(target_, error)) return target_.string() + " is not a regular file";
     for (const fs::path& written : {target_, folder})  // a file is replaced, not opened
         if (access(written.c_str(), W_OK) != 0) return target_.string() + ": " + std::strerror(errno);

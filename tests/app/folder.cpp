@@ -37,14 +37,23 @@ TEST(ScenePictures, SayWhyThereIsNone) {
     const std::string scene = folder.path("bad.glib");
     pictures.want({scene});
     EXPECT_EQ(pictures.why(scene), "") << "nobody tried";
-    std::string made;
-    for (int i = 0; i < 2000 && made.empty(); ++i) {
-        made = pictures.look();
-        usleep(5000);
-    }
-    EXPECT_EQ(made, scene);
+    const auto made = [&] {
+        std::string scene_made;
+        for (int i = 0; i < 2000 && scene_made.empty(); ++i) {
+            scene_made = pictures.look();
+            usleep(5000);
+        }
+        return scene_made;
+    };
+    EXPECT_EQ(made(), scene);
     EXPECT_EQ(pictures.why(scene), "bad.glib:1:1: error: no such command");
-    EXPECT_EQ(pictures.look(), "") << "once is enough";
+    EXPECT_EQ(pictures.look(), "");
+    EXPECT_NE(pictures.why(scene), "") << "once is enough";
+    folder.write("draw", "#!/bin/sh\necho background > \"$4\"\necho 'bad.glib:1:1: error: another one'\nexit 1\n");
+    std::filesystem::last_write_time(scene, std::filesystem::last_write_time(scene) - std::chrono::seconds(10));
+    EXPECT_EQ(made(), scene) << "until it is written again";
+    EXPECT_EQ(pictures.why(scene), "bad.glib:1:1: error: another one");
+    EXPECT_FALSE(std::filesystem::exists(thumbnail_file(folder.path("pictures"), scene))) << "of a part of the scene";
 }
 
 TEST(Folder, FoldersThenScenesAsPeopleSortThem) {

@@ -67,7 +67,9 @@ TEST(Replace, ARefusalNamesTheFileOnce) {
     if (child == 0) {
         if (geteuid() == 0 && setuid(65534) != 0) _exit(2);
         const std::string file = folder.path("out/a.glib"), refused = content::rewrite_file(file, "new");
-        _exit(refused == file + ": Permission denied" ? 0 : 1);
+        if (refused != file + ": Permission denied") _exit(1);
+        fs::current_path(folder.path("out"));  // a folder without a name
+        _exit(content::replace_file("b.json", "new") == "b.json: Permission denied" ? 0 : 3);
     }
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);

@@ -53,6 +53,21 @@ TEST_F(Forms, TakeOverWhenReadyAndLeaveAtOnce) {
     EXPECT_EQ(by_constants(*document), 2U) << "the first values are back, and so is their program";
 }
 
+// Not with these values, but with others.
+TEST_F(Forms, OfScenesThatReadTheTimeWithSomeValue) {
+    const auto timed = [&](const std::string& value) {
+        folder.write("one.frag",
+                     "#version 330 compatibility\nuniform float Timer, uUsed;\nvoid main() { gl_FragColor = "
+                     "vec4(" +
+                         value + "); }\n");
+        return open("Ortho -1 1 -1 1\nVertex plain.vert\nFragment one.frag\nProgram P uUsed <0 0 1>\nQuadXY\n")
+            ->runtime->timed();
+    };
+    EXPECT_TRUE(timed("Timer"));
+    EXPECT_TRUE(timed("uUsed > 0. ? Timer : 0."));
+    EXPECT_FALSE(timed("uUsed")) << "the time is declared only";
+}
+
 // A window measures nothing while there is more to compile.
 TEST_F(Forms, OfScenesWithoutValuesAreNotSoughtForEver) {
     folder.write("one.frag",

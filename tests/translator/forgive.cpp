@@ -52,6 +52,17 @@ TEST(GlslForgive, OtherConversions) {
     expect_valid({{Stage::fragment, text}}, everywhere);
 }
 
+TEST(GlslForgive, AnAssignmentAsAConditionIsNamed) {
+    const auto said = [](const std::string& condition) {
+        const Translated t =
+            fragment("void main() { float d = 1.; if (" + condition + ") d = 2.; gl_FragColor = vec4(d); }");
+        return std::ranges::any_of(t.diagnostics.items(),
+                                   [](const Diagnostic& d) { return d.message.ends_with("'==' compares"); });
+    };
+    EXPECT_TRUE(said("d = .5"));
+    EXPECT_FALSE(said("d"));
+}
+
 TEST(GlslForgive, QualifiersThatMeanNothing) {
     const Texts texts = {{Stage::vertex,
                           "#version 330 compatibility\nout const vec3 a; varying const float b; flat varying vec3 c;\n"

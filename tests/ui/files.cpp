@@ -196,9 +196,12 @@ TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     };
     EXPECT_EQ(told("browser.scene.sky.glib"), "/s/sky.glib\nNo picture: sky.glib:1: no such file");
     EXPECT_EQ(told("browser.scene.glass.glib"), "/s/glass.glib");
-    EXPECT_EQ(picture_words(scenes[0].picture), "");
-    EXPECT_EQ(picture_words(scenes[1].picture), "no picture");
-    EXPECT_EQ(picture_words(lessons[0].picture), "being drawn\u2026") << "an empty frame says what it waits for";
+    for (const auto& [room, none, waits] :
+         {std::tuple{200.F, "no picture", "being drawn\u2026"}, std::tuple{30.F, "!", "\u2026"}}) {
+        EXPECT_EQ(picture_words(scenes[0].picture, room), "");
+        EXPECT_EQ(picture_words(scenes[1].picture, room), none) << "also in a row of the list";
+        EXPECT_EQ(picture_words(lessons[0].picture, room), waits) << "an empty frame says what it waits for";
+    }
     EXPECT_EQ(click_asks("browser.scene.glass.glib").open, "/s/glass.glib") << "one click opens it";
     EXPECT_FALSE(memory_.browser.open);
     begin();

@@ -235,6 +235,13 @@ TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
     EXPECT_FALSE(memory_.picture.open);
 }
 
+TEST_F(UiKeep, APictureIsNamedWithoutAClick) {
+    memory_.picture.open = true;
+    has("picture file");
+    type("a.png");
+    EXPECT_STREQ(memory_.picture.file.data(), "a.png");
+}
+
 TEST_F(UiKeep, AFileThatIsThereIsReplacedOnlyWhenAsked) {
     memory_.picture.open = true;
     std::string("a.png").copy(memory_.picture.file.data(), 5);

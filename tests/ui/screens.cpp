@@ -108,6 +108,18 @@ TEST_F(SmallestWindow, WhatANoticeOffersIsSeenInTheSmallestWindow) {
     EXPECT_TRUE(requests_.save_as);
 }
 
+TEST_F(SmallestWindow, NoticesWithoutRoomAreCounted) {
+    for (int number = 1; number <= 3; ++number)
+        memory_.failures.add({"snapshot is not stored: no space left", Failure::Remedy::store, {}, number});
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    settle();
+    EXPECT_TRUE(visible("failure.ok"));
+    EXPECT_FALSE(has("failure 3.ok"));
+    EXPECT_TRUE(visible("failure.more"));
+    EXPECT_GE(place("failure.again").y - place("failure.ok").y, 2 * ImGui::GetTextLineHeight()) << "two whole lines";
+    if (!screens_folder().empty()) keep_picture("three-notices-420x320-largest-light");
+}
+
 TEST_F(SmallestWindow, TheFieldForANameIsSeenWhole) {
     screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
     browser();

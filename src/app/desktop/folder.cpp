@@ -217,7 +217,7 @@ std::string own_program() {
 
 std::string_view ScenePictures::why(const std::string& scene) const {
     const auto found = tried_.find(scene);
-    return found == tried_.end() ? std::string_view() : found->second;
+    return found == tried_.end() ? std::string_view() : found->second.why;
 }
 
 std::string ScenePictures::look() {
@@ -225,17 +225,24 @@ std::string ScenePictures::look() {
         const std::optional<content::Ended> ended = process_.poll();
         if (!ended) return {};
         std::string made = std::exchange(making_, {});
-        if (!current(thumbnail_file(folder_, made), made)) tried_[made] = reason(*ended);
+        const std::string file = thumbnail_file(folder_, made);
+        if (ended->status == 0 && current(file, made)) return made;
+        // Of a scene with errors, what was drawn is no picture.
+        std::error_code error;
+        fs::remove(file, error);
+        tried_[made].why = reason(*ended);
         return made;
     }
-    const auto lacks = [this](const std::string& scene) {
-        return !tried_.contains(scene) && !current(thumbnail_file(folder_, scene), scene);
+    std::error_code error;
+    const auto lacks = [&](const std::string& scene) {
+        const auto tried = tried_.find(scene);
+        const bool again = tried == tried_.end() || tried->second.written != fs::last_write_time(scene, error);
+        return again && !current(thumbnail_file(folder_, scene), scene);
     };
     const auto next = folder_.empty() ? wanted_.end() : ranges::find_if(wanted_, lacks);
     if (next == wanted_.end()) return {};
     making_ = *next;
-    tried_[making_];
-    std::error_code error;
+    tried_[making_] = {fs::last_write_time(making_, error), {}};
     fs::create_directories(folder_, error);
     // In the background, behind what the user does.
     process_.start({"nice", "-n", "10", program_, "render", making_, "-o", thumbnail_file(folder_, making_), "--size",

@@ -1,6 +1,7 @@
 // Lists a folder for the file browser, and keeps or makes small pictures of its scenes.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -67,13 +68,18 @@ public:
     void want(std::vector<std::string> scenes) { wanted_ = std::move(scenes); }
     // Call it regularly. Returns the scene whose picture is new, or could not be made, or "".
     std::string look();
-    // Why the scene has no picture; empty if it may still get one. It stays as long as this object.
+    // Why the scene has no picture; empty if it may still get one. It stays until the scene is tried again, after it
+    // was written.
     std::string_view why(const std::string& scene) const;
 
 private:
     std::string folder_, program_;
     std::vector<std::string> wanted_;
-    std::map<std::string, std::string> tried_;  // why they have none
+    struct Tried {
+        std::filesystem::file_time_type written;  // the scene, as it was tried
+        std::string why;                          // it has none
+    };
+    std::map<std::string, Tried> tried_;
     std::string making_;
     content::Process process_;
 };

@@ -422,7 +422,7 @@ bool App::measure() {
 void App::keep_picture() {
     if (!workspace_.document()) return;
     pictured_ = workspace_.session().path();
-    workspace_.keep_picture(display_.thumbnail());
+    if (!workspace_.document()->diagnostics.has_errors()) workspace_.keep_picture(display_.thumbnail());
 }
 
 void App::reload() {

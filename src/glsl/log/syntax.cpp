@@ -12,6 +12,11 @@
 namespace snell::glsl::log {
 namespace {
 
+bool is_one_of(std::string_view word, std::string_view list) {
+    const std::vector<std::string_view> all = split(list);
+    return ranges::find(all, word) != all.end();
+}
+
 // `vec5`: no size of such a type is nearer than another.
 std::string sizes_of(std::string_view type) {
     if (type.empty() || type.back() < '0' || type.back() > '9') return {};
@@ -24,16 +29,17 @@ std::string sizes_of(std::string_view type) {
 // `vex3 a`: two names in a row, of which the first is no type. `first`: they begin a statement.
 bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diagnostic& diagnostic) {
     std::string_view meant = type == "real" ? "float" : foreign_type(type);
-    const std::string sizes = meant.empty() && !builtin_type(lowered(type)) ? sizes_of(type) : "";
-    if (meant.empty() && sizes.empty()) {
+    std::string help = meant.empty() && !builtin_type(lowered(type)) ? sizes_of(type) : "";
+    if (is_one_of(type, "auto let var")) help = "write its type instead: float, vec3 \u2026";
+    if (meant.empty() && help.empty()) {
         meant = nearest(type, {"float",       "int",   "uint",    "bool",    "void",      "double",    "vec2",
                                "vec3",        "vec4",  "ivec2",   "ivec3",   "ivec4",     "bvec2",     "bvec3",
                                "bvec4",       "mat2",  "mat3",    "mat4",    "sampler1D", "sampler2D", "sampler3D",
                                "samplerCube", "const", "uniform", "varying", "attribute", "return",    "struct"});
     }
-    if (meant == type || (meant.empty() && sizes.empty() && (!first || builtin_type(type)))) return false;
+    if (meant == type || (meant.empty() && help.empty() && (!first || builtin_type(type)))) return false;
     diagnostic.message.replace(0, diagnostic.message.find(" ("), fmt::format("'{}' is not a type", type));
-    diagnostic.help = meant.empty() ? sizes : fmt::format("did you mean '{}'?", meant);
+    diagnostic.help = meant.empty() ? help : fmt::format("did you mean '{}'?", meant);
     diagnostic.span = span;
     if (!meant.empty()) diagnostic.fixes = {{span, std::string(meant)}};
     return true;
@@ -42,11 +48,6 @@ bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diag
 bool ends_operand(std::string_view word) {
     const char c = word.empty() ? ' ' : word.back();
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
-}
-
-bool is_one_of(std::string_view word, std::string_view list) {
-    const std::vector<std::string_view> all = split(list);
-    return ranges::find(all, word) != all.end();
 }
 
 bool foreign_character(std::string_view word) {
@@ -105,18 +106,42 @@ Around around(std::string_view text, const std::vector<Word>& all, std::uint32_t
     return a;
 }
 
-// `#define PI 3.14;` and `#define PI = 3.14` break the lines that use PI.
+// The last word of the directive that `at` is in, which backslashes lead on from line to line.
+std::size_t end_of_directive(const Around& a, std::size_t at) {
+    const auto goes_on = [&](std::size_t next) {
+        const std::string_view between = a.text.substr(a.all[next - 1].end, a.all[next].begin - a.all[next - 1].end);
+        return between.find('\n') == between.npos || between.find('\\') != between.npos;
+    };
+    while (at + 1 < a.all.size() && a.all[at + 1].directive && goes_on(at + 1)) ++at;
+    return at;
+}
+
+// A '(' of these words that none of them closes; 0 if there is none.
+std::size_t open_parenthesis(const Around& a, std::size_t first, std::size_t last) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = first; i <= last; ++i) {
+        if (a.word(i) == "(") open.push_back(i);
+        if (a.word(i) == ")" && !open.empty()) open.pop_back();
+    }
+    return open.empty() ? 0 : open.back();
+}
+
+// `#define PI 3.14;`, `#define PI = 3.14` and `#define PI radians(180.` break the lines that use PI.
 bool hint_macro(const Around& a, const Place& place, Diagnostic& diagnostic) {
     for (std::size_t i = 0; i + 1 < a.all.size(); ++i) {
         if (!a.all[i].directive || a.word(i) != "define") continue;
-        std::size_t last = i;
-        while (last + 1 < a.all.size() && a.all[last + 1].directive && a.all[last + 1].line == a.all[i].line) ++last;
+        const std::size_t last = end_of_directive(a, i), open = open_parenthesis(a, i, last);
         const bool assigned = a.word(i + 2) == "=" && i + 2 <= last;
-        if (!assigned && a.word(last) != ";") continue;
+        if (!assigned && a.word(last) != ";" && open == 0) continue;
         const std::size_t surplus = assigned ? i + 2 : last;
         for (const Word& w : a.all) {
             if (w.line != place.line || w.directive || text_of(a.text, w) != a.word(i + 1)) continue;
             diagnostic.span = {place.file, w.begin, w.end};
+            if (open > 0) {
+                diagnostic.help = fmt::format("the macro '{}' lacks a ')'", a.word(i + 1));
+                diagnostic.notes.push_back({a.span(place.file, open), "this '(' is never closed"});
+                return true;
+            }
             diagnostic.help = fmt::format("the macro '{}' {} a '{}': remove it there", a.word(i + 1),
                                           assigned ? "begins with" : "ends with", a.word(surplus));
             diagnostic.notes.push_back(
@@ -265,6 +290,11 @@ bool hint_words(const Around& a, const Place& place, Diagnostic& diagnostic) {
         diagnostic.fixes = {{{place.file, a.all[a.at].begin, a.all[a.at].begin}, "= "}};
     } else if (a.all[a.at].name && next == "(" && a.depth == 0 && (before == ";" || before == "}" || a.at == 0)) {
         diagnostic.help = fmt::format("the type of what it returns comes before a function's name: float {}(…)", here);
+    } else if (a.all[a.at].name && name && a.at > 1 && builtin_type(a.word(a.at - 2)) && !builtin_type(before) &&
+               a.all[a.at - 1].line == a.all[a.at].line && !second_operand(a, number)) {
+        diagnostic.help = fmt::format("a ',' is missing before '{}'", here);
+        const std::uint32_t end = a.all[a.at - 1].end;
+        diagnostic.fixes = {{{place.file, end, end}, ","}};
     } else if (second_operand(a, number)) {
         diagnostic.help = builtin_function(before)
                               ? fmt::format("what a function is given stands in ( ): {}(…)", before)

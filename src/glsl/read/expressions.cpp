@@ -114,10 +114,14 @@ void Parser::convert(const Expression& e, const Type& due, Due why) {
     if (have.base == due.base || have.base < Base::boolean || due.base < Base::boolean || have.base > Base::dreal ||
         due.base > Base::dreal)
         return;
-    if (due.base == Base::boolean)
-        return forgive(e, due, "number-as-bool",
-                       "a number is used where true or false is expected; it is true unless it is zero"),
-               why == Due::condition ? mark_decision(e) : void();
+    if (due.base == Base::boolean) {
+        bool assigns = false;
+        for (int i = e.first; i <= e.last; ++i) assigns |= u_.now(i) == "=";
+        forgive(e, due, "number-as-bool",
+                assigns ? "this assigns a number, and is true unless it is zero; '==' compares"
+                        : "a number is used where true or false is expected; it is true unless it is zero");
+        return why == Due::condition ? mark_decision(e) : void();
+    }
     if (have.base == Base::boolean)
         return forgive(e, due, "bool-as-number", "true or false is used where a number is expected; it is 1 or 0");
     if (due.integral() && have.floating())

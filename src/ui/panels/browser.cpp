@@ -16,6 +16,7 @@
 #include "src/plan/locate.h"
 #include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
+#include "src/ui/kit/style.h"
 #include "src/ui/panels/state.h"
 
 namespace snell::ui {
@@ -64,10 +65,11 @@ void draw_picture(const SmallPicture& picture, ImVec2 at, ImVec2 room) {
     list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg));
     if (picture.texture == 0) {
         list.AddRect(at, end, ImGui::GetColorU32(ImGuiCol_Border));
-        const std::string_view none = picture_words(picture);
-        if (width_of(none) > room.x) return;
+        const std::string_view none = picture_words(picture, room.x);
         const ImVec2 middle((at.x + end.x - width_of(none)) / 2, (at.y + end.y - ImGui::GetTextLineHeight()) / 2);
-        return list.AddText(middle, ImGui::GetColorU32(ImGuiCol_TextDisabled), none.data(), none.data() + none.size());
+        const ImU32 color =
+            picture.why.empty() ? ImGui::GetColorU32(ImGuiCol_TextDisabled) : ImGui::GetColorU32(palette().error_text);
+        return list.AddText(middle, color, none.data(), none.data() + none.size());
     }
     const ImVec2 size(std::min(room.x, room.y * picture.shape), std::min(room.y, room.x / picture.shape));
     const ImVec2 from(at.x + (room.x - size.x) / 2, at.y + (room.y - size.y) / 2);
@@ -386,8 +388,11 @@ std::vector<Crumb> crumbs(std::string_view folder) {
 }
 
 // Of what has none, the tooltip says why.
-std::string_view picture_words(const SmallPicture& picture) {
-    return picture.texture != 0 ? "" : picture.why.empty() ? "being drawn\u2026" : "no picture";
+std::string_view picture_words(const SmallPicture& picture, float room) {
+    if (picture.texture != 0) return "";
+    const std::string_view words = picture.why.empty() ? "being drawn\u2026" : "no picture";
+    if (width_of(words) <= room) return words;
+    return picture.why.empty() ? "\u2026" : "!";
 }
 
 void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {

@@ -23,8 +23,8 @@ struct SmallPicture {
     bool operator==(const SmallPicture&) const = default;
 };
 
-// What stands in the place of a picture that there is not.
-std::string_view picture_words(const SmallPicture& picture);
+// What stands in the place of a picture that there is not, in a place of that width.
+std::string_view picture_words(const SmallPicture& picture, float room);
 
 struct Entry {
     std::string name;  // with unprintable characters replaced

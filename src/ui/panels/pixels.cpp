@@ -141,7 +141,9 @@ float flags_legend(const Facts& facts, const Rect& picture, const PixelMemory& m
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     if (ImGui::Begin("##legend", nullptr, passive | ImGuiWindowFlags_AlwaysAutoResize)) {
         if (!facts.pixels->flags) {
-            ImGui::TextUnformatted(facts.pixels->note.c_str());
+            const PixelFacts& pixels = *facts.pixels;
+            const Text looking("looking\u2026 {:.0f} %", std::floor(100 * pixels.drawn.value_or(0)));
+            fitted(pixels.note.empty() ? looking.view() : pixels.note, scene.width - 2 * em);
         } else {
             flag_counts(*facts.pixels->flags, scene.width - 2 * em);
         }

@@ -220,12 +220,15 @@ bool too_early(const NoticeMemory& memory) {
     return memory.early_key || (memory.early && ImGui::IsMouseReleased(ImGuiMouseButton_Left));
 }
 
+bool has_notice_room(float bottom, const Rect& scene) { return bottom - scene.y >= 4 * ImGui::GetFontSize(); }
+float notice_gap() { return ImGui::GetStyle().WindowPadding.x * .5F; }
+
 // Shows a text above `bottom`, which moves up by its height, and beside it what `buttons` draws.
 template <typename Buttons>
 void message_box(std::string_view text, const ImVec4& color, int index, const Rect& scene, float& bottom,
                  float buttons_width, NoticeMemory& memory, const Buttons& buttons) {
     const float margin = ImGui::GetStyle().WindowPadding.x;
-    if (bottom - scene.y < 4 * ImGui::GetFontSize()) return;  // there is room once those below it are answered
+    if (!has_notice_room(bottom, scene)) return;  // there is once those below it are answered
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().FrameRounding * 1.5F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
     ImGui::SetNextWindowPos({scene.x + margin, bottom}, ImGuiCond_Always, {0, 1});
@@ -238,8 +241,10 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
         const float wrap = width - buttons_width - 3 * margin;
         const float height = ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, wrap).y;
         float& below = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("below"));
-        const float rest = std::max(room - below - 2 * ImGui::GetStyle().WindowPadding.y, ImGui::GetFrameHeight());
+        const float least = ImGui::GetFrameHeight(), line = ImGui::GetTextLineHeight();
+        float rest = std::max(room - below - 2 * ImGui::GetStyle().WindowPadding.y, least);
         const bool scrolls = height > rest && below > 0;
+        if (scrolls) rest = std::max(std::floor(rest / line), 1.F) * line;  // a line that is seen is seen whole
         if (scrolls) ImGui::BeginChild("text", {wrap + margin, rest});
         if (!scrolls) ImGui::AlignTextToFramePadding();
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
@@ -253,7 +258,7 @@ void message_box(std::string_view text, const ImVec4& color, int index, const Re
         buttons();
         below = ImGui::GetCursorScreenPos().y - bottom_of_text;
     }
-    bottom -= ImGui::GetWindowHeight() + margin * .5F;
+    bottom -= ImGui::GetWindowHeight() + notice_gap();
     ImGui::End();
     ImGui::PopStyleVar(2);
 }
@@ -326,12 +331,18 @@ void failure_boxes(const Rect& scene, float& bottom, Memory& memory, Requests& r
     for (std::size_t i = 0; i < shown; ++i) {
         const std::size_t at = open.size() - 1 - i;
         const std::string name = i == 0 ? "failure" : fmt::format("failure {}", i + 1);
-        const std::size_t more = i + 1 == shown ? open.size() - shown : 0;
+        const std::size_t older = open.size() - 1 - i;
         message_box(open[at].text, palette().error_text, -static_cast<int>(i), scene, bottom, button_width("OK"),
                     memory.notices, [&] {
                         const bool read = right_button("OK", layout, name + ".ok") && !too_early(memory.notices);
                         if (remedies(open[at], name, memory, requests, layout) || read) done = at;
-                        if (more > 0) wrapped(fmt::format("and {} more", more), true);
+                        const bool last =
+                            i + 1 == shown || !has_notice_room(ImGui::GetWindowPos().y - notice_gap(), scene);
+                        if (!last || older == 0) return;
+                        const std::string more = fmt::format("and {} more", older);
+                        follow(width_of(more));
+                        wrapped(more, true);
+                        layout.note("failure.more");
                     });
     }
     if (done) open.erase(open.begin() + static_cast<std::ptrdiff_t>(*done));
@@ -431,7 +442,7 @@ float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& re
     // where errors need that room as well: these are read, and hidden, first.
     const bool narrow = !has_room(free);
     if (narrow) scene.y += scene.height / 2;
-    if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 7 * ImGui::GetFontSize()));
+    if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 8 * ImGui::GetFontSize()));
     float bottom = first;
     int index = 0;
     begin_notices(memory.notices);

@@ -217,9 +217,11 @@ int picture_count(const PictureMemory& picture) {
 
 void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {
     PictureMemory& picture = memory.picture;
+    const bool fresh = !ImGui::IsPopupOpen(picture_title);
     if (!picture.open || !facts.scene || !begin_dialog(picture_title, 36)) return;
     ImGui::BeginDisabled(picture.progress.has_value());
     row("File", "The extension sets the format: .png, .bmp, .exr \u2026");
+    if (fresh) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
     // Enter saves, where it does not end the typing of a number.
     const bool free =
