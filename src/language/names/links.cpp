@@ -4,6 +4,7 @@
 #include <set>
 
 #include "parser/text/ranges.h"
+#include "src/plan/values/controls.h"
 
 namespace snell::language {
 

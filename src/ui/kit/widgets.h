@@ -13,6 +13,7 @@
 #include "src/plan/values/animate.h"
 #include "src/plan/values/controls.h"
 #include "src/plan/values/numbers.h"
+#include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
 
 namespace snell::ui {
