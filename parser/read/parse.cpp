@@ -188,8 +188,10 @@ private:
         if (meant) said.fixes.push_back({{span.file, span.begin, bare == word ? span.end : end}, std::string(name)});
     }
 
-    // 'Frag' is nearer to 'Flat', but begins 'Fragment': the shortest command that the word begins.
+    // 'Frag' is nearer to 'Flat', but begins 'Fragment': the shortest command that the word begins. Of textures, most
+    // have two dimensions.
     static std::string_view begun_command(std::string_view word) {
+        if (same_word(word, "Texture")) return "Texture2D";
         std::string_view shortest;
         for (const std::string_view name : command_names())
             if (word.size() > 2 && same_word(name.substr(0, word.size()), word) &&
