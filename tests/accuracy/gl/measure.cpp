@@ -49,7 +49,7 @@ void main() {
         const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {"WORK"}, From::reference, problems);
         EXPECT_EQ(sweeps.size(), 1U);
         MeasureOptions options;
-        References references(.5);
+        References references(.1);
         options.references = &references;
         options.rounds = 15;
         options.seconds = seconds;  // 20: more than it takes, even where other programs have most of the machine
@@ -63,7 +63,7 @@ void main() {
 // Fewer rungs, not fewer rounds: the scene's own rung and the last one are drawn and timed, the others left out.
 TEST_F(Measure, ALadderWithoutTimeHasTwoRungs) {
     write_ladder();
-    bench_of_text(scene, 64, 64);
+    bench_of_text(scene, 40, 40);
     const SweepResult result = measure_ladder(1, 1e-3, 1e6);
     for (const RungResult& rung : result.rungs) {
         const bool known = rung.name == "one" || rung.name == "full";
@@ -77,7 +77,7 @@ TEST_F(Measure, ALadderWithoutTimeHasTwoRungs) {
 
 TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRight) {
     write_ladder();
-    bench_of_text(scene, 64, 64);
+    bench_of_text(scene, 40, 40);
     const double costs[]{1, 2, 2, 3, 4, 8}, errors[]{1, .5, .9, .8, .25, 0};
     const SweepResult result = measure_ladder(1);
     ASSERT_EQ(result.rungs.size(), 6U);
@@ -285,7 +285,7 @@ void main() {
         const std::string rungs = many ? "bad fair good <exact>\n" : "bad fair <exact>\n";
         return bench_of_text("Ladder A " + rungs + "Ladder B " + rungs + "Ladder C " + rungs +
                                  "Vertex full.vert\nFragment work.frag\nProgram Work uStep <0. .001 1.>\nQuadXY 0 1\n",
-                             32, 32);
+                             20, 20);
     }
     Counsel counsel(Bench& b, const std::vector<Wish>& wishes) {
         MeasureOptions options;
