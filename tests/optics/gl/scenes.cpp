@@ -178,7 +178,7 @@ protected:
         return differing / 4;
     }
 
-    static constexpr int size = 32;
+    static constexpr int size = 24;
     std::map<std::string, bool> controls;  // whether it does something
     std::unique_ptr<Document> document;
     gl::Target target;
