@@ -77,8 +77,10 @@ gl::Program build(std::string_view version, std::string_view before, std::string
 
 void LibraryTest::SetUp() {
     std::string error;
-    context = HeadlessContext::make(GetParam().request, error);
-    if (!context) GTEST_SKIP() << "no graphics: " << error;
+    auto& kept = contexts[GetParam().name];
+    if (!kept) kept = HeadlessContext::make(GetParam().request, error);
+    context = kept.get();
+    if (!context || !context->make_current()) GTEST_SKIP() << "no graphics: " << error;
     const ContextRequest& request = GetParam().request;
     RecordProperty("context", std::string(request.es ? "ES " : "GL ") + std::to_string(request.version / 10) + "." +
                                   std::to_string(request.version % 10));
