@@ -285,7 +285,7 @@ void main() {
         const std::string rungs = many ? "bad fair good <exact>\n" : "bad fair <exact>\n";
         return bench_of_text("Ladder A " + rungs + "Ladder B " + rungs + "Ladder C " + rungs +
                                  "Vertex full.vert\nFragment work.frag\nProgram Work uStep <0. .001 1.>\nQuadXY 0 1\n",
-                             20, 20);
+                             32, 32);
     }
     Counsel counsel(Bench& b, const std::vector<Wish>& wishes) {
         MeasureOptions options;
@@ -303,8 +303,9 @@ void main() {
 TEST_F(Advising, OfFewCombinationsAllAreMeasuredOnce) {
     Bench& b = ladders(false);
     Counsel found;
+    const auto right = [&] { return named(found, 0) == "bad bad bad" && named(found, 1).starts_with("fair fair"); };
     // Another process may disturb some frames of .3 ms so much that another combination looks quicker; not every time.
-    for (int attempt = 0; attempt < 4 && (attempt == 0 || named(found, 0) != "bad bad bad"); ++attempt)
+    for (int attempt = 0; attempt < 4 && (attempt == 0 || !right()); ++attempt)
         found = counsel(b, {Wish{}, Wish{.alone = .02}, Wish{.error = 1e-6}, Wish{.milliseconds = 1e-4}});
     EXPECT_EQ(found.sweeps.size(), 1U);
     EXPECT_EQ(found.sweeps[0].rungs.size(), 27U);
