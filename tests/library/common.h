@@ -36,6 +36,7 @@ class LibraryTest : public testing::TestWithParam<Dialect> {
 protected:
     void SetUp() override;
     void TearDown() override;
+    static void TearDownTestSuite() { contexts.clear(); }
 
     // `body` is a function body over vec4 a, b, c, with `samplerCube cube`, that returns a vec4. `before` is GLSL
     // outside of it, with #include.
@@ -50,7 +51,9 @@ protected:
     // Whether the text that run() draws compiles in the dialects that this context knows beside its own.
     void expect_compiles_in_others(std::string_view before, std::string_view body);
 
-    std::unique_ptr<HeadlessContext> context;
+    // By dialect; one for all tests of a suite.
+    static inline std::map<std::string, std::unique_ptr<HeadlessContext>> contexts;
+    HeadlessContext* context = nullptr;
     std::vector<std::string> complaints;
     gl::MessageReport report = [this](const char* message) { complaints.emplace_back(message); };
     gl::Texture cube;

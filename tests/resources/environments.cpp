@@ -220,7 +220,7 @@ TEST_F(Environments, EdgesDoNotShow) {
     for (const auto& [picture, scale] : pictures) {
         SCOPED_TRACE(picture);
         auto document =
-            open("CubeMap 6 " + picture + "\nIrradiance 7 6\nPrefilter 8 6 32\n" + std::string(look) +
+            open("CubeMap 6 " + picture + "\nIrradiance 7 6\nPrefilter 8 6 16\n" + std::string(look) +
                  "Fragment edges.frag\nProgram Show uCube 6 uLevel 0. uSide 1. uScale " + std::to_string(scale) +
                  "\nQuadXY 0 .5\n" + "Program Matt uCube 7 uLevel 0. uSide 1. uScale " + std::to_string(scale) +
                  "\nTranslate .5 .5 0\nQuadXY 0 .5\n" + "Program Rough uCube 8 uLevel 1. uSide 1. uScale " +

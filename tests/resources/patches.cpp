@@ -151,9 +151,9 @@ std::string patches(unsigned seed, bool es, Folder& folder) { return RandomPatch
 class Patches : public Stages {};
 class PatchesEs : public StagesEs {};
 
-TEST_F(Patches, RandomTessellationDrawsWhatTheDriverDraws) { compare_random("SNELL_RANDOM_PATCHES", 16, 1, patches); }
+TEST_F(Patches, RandomTessellationDrawsWhatTheDriverDraws) { compare_random("SNELL_RANDOM_PATCHES", 10, 1, patches); }
 TEST_F(PatchesEs, RandomTessellationDrawsWhatTheDriverDraws) {
-    compare_random("SNELL_RANDOM_PATCHES", 16, 10001, patches);
+    compare_random("SNELL_RANDOM_PATCHES", 10, 10001, patches);
 }
 
 TEST_F(Patches, CasesWithTessellationDrawWhatTheDriverDraws) {

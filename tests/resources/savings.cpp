@@ -239,7 +239,7 @@ TEST_F(Savings, CostNothingButCounters) {
     for (const std::string& path : scenes) {
         auto lean = open_document(path, caps), full = open_document(path, caps, nullptr, nullptr, pay_all);
         if (!lean->runtime) continue;
-        const Look look{.width = 48, .height = 48, .time = 1.5};
+        const Look look{.width = 24, .height = 24, .time = 1.5};
         for (int frame = 0; frame < 2; ++frame) EXPECT_TRUE(draw(*lean, look) == draw(*full, look)) << path;
         for (const CounterName& counter : counter_names()) {
             if (counter.value == &Counters::draws_culled) continue;  // is what is saved

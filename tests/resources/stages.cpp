@@ -131,9 +131,9 @@ private:
 
 std::string geometry(unsigned seed, bool es, Folder& folder) { return RandomStages(seed, es).scene(folder); }
 
-TEST_F(Stages, RandomGeometryShadersDrawWhatTheDriverDraws) { compare_random("SNELL_RANDOM_STAGES", 12, 1, geometry); }
+TEST_F(Stages, RandomGeometryShadersDrawWhatTheDriverDraws) { compare_random("SNELL_RANDOM_STAGES", 8, 1, geometry); }
 TEST_F(StagesEs, RandomGeometryShadersDrawWhatTheDriverDraws) {
-    compare_random("SNELL_RANDOM_STAGES", 12, 10001, geometry);
+    compare_random("SNELL_RANDOM_STAGES", 8, 10001, geometry);
 }
 
 TEST_F(Stages, CasesWithGeometryShadersDrawWhatTheDriverDraws) {

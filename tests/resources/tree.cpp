@@ -50,26 +50,26 @@ TEST_P(RuntimeTreeEverywhere, EachDrawHasItsOwnMesh) {
         open(scene("PushMatrix\nTranslate -.9 0 0\nScale .7 .7 .7\nSphere 1 80 80\nPopMatrix\n"
                    "PushMatrix\nTranslate .9 0 0\nBox 1 1 1\nPopMatrix\n"));
     expect_clean(*document);
-    const Picture picture = draw(*document, {.width = 128, .height = 128});
+    const Picture picture = draw(*document, {.width = 64, .height = 64});
     int ball = 0, box = 0;
-    for (int y = 0; y < 128; ++y)
-        for (int x = 0; x < 128; ++x) {
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
             const Pixel p = picture.at(x, y);
             if (p[0] + p[1] + p[2] == 0) continue;
-            (x < 64 ? ball : box) += 1;
-            const double from_middle = std::hypot(x - 32.0, y - 63.5);
-            if (x < 64 && from_middle < 20) {
+            (x < 32 ? ball : box) += 1;
+            const double from_middle = std::hypot(x - 16.0, y - 31.5);
+            if (x < 32 && from_middle < 10) {
                 EXPECT_LT(p[0], 12) << x << " " << y;
                 EXPECT_GT(p[1], 200) << x << " " << y;
             }
         }
-    EXPECT_GT(ball, 1500);
-    EXPECT_GT(box, 600);
-    const Pixel middle = picture.at(32, 64);
+    EXPECT_GT(ball, 375);
+    EXPECT_GT(box, 150);
+    const Pixel middle = picture.at(16, 32);
     EXPECT_NEAR(middle[1], 255 * .96 * .96, 3);
     EXPECT_NEAR(middle[2], 255 * .04, 2);
     // The box's way is not the ball's.
-    EXPECT_GT(picture.at(96, 52)[0], 60);
+    EXPECT_GT(picture.at(48, 26)[0], 60);
     EXPECT_EQ(document->runtime->counters().trees, 2U);
 }
 

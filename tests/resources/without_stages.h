@@ -8,16 +8,16 @@ namespace snell::test {
 class Stages : public GlTest {
 protected:
     // How many pixels are others by more than 8 of 255.
-    int far(Document& native, Document& emulated) {
-        const Picture a = draw(native), b = draw(emulated);
+    static int far(const Picture& a, const Picture& b) {
         int count = 0;
         for (int y = 0; y < a.height; ++y)
             for (int x = 0; x < a.width; ++x) count += near(a.at(x, y), b.at(x, y), 8) ? 0 : 1;
         return count;
     }
 
+    // Returns what the driver's stages draw.
     template <class Opened>
-    void compare(const Opened& opened) {
+    Picture compare(const Opened& opened) {
         const gl::Caps whole = caps;
         const auto native = opened();
         gl::leave_stages(caps);
@@ -25,7 +25,9 @@ protected:
         caps = whole;
         expect_clean(*native);
         expect_clean(*emulated);
-        EXPECT_EQ(far(*native, *emulated), 0);
+        Picture picture = draw(*native);
+        EXPECT_EQ(far(picture, draw(*emulated)), 0);
+        return picture;
     }
 
     // A scene from a seed, whose files it writes into the folder.
@@ -38,8 +40,7 @@ protected:
         for (int i = 0; i < all; ++i) {
             SCOPED_TRACE(first + static_cast<unsigned>(i));
             const std::string scene = random(first + static_cast<unsigned>(i), caps.es, folder);
-            compare([&] { return open(scene); });
-            const Picture picture = draw(scene);
+            const Picture picture = compare([&] { return open(scene); });
             drawn += picture.count({0, 0, 0, 0}) < picture.width * picture.height ? 1 : 0;
         }
         EXPECT_GT(drawn, all / 2) << "most of them draw something";

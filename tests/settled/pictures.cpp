@@ -30,7 +30,7 @@ protected:
     }
 };
 
-const Look small{.width = 40, .height = 40, .time = 1.25};
+const Look small{.width = 24, .height = 24, .time = 1.25};
 
 TEST_F(SettledPictures, AreThoseOfUniforms) {
     std::size_t specialised = 0;

@@ -151,7 +151,7 @@ TEST_F(RandomPrograms, RoundOnceLessWhereNoBranchIs) {
 
 TEST_F(RandomPrograms, GiveWhatThoseForAnyValuesGive) {
     const int first = number_of("SNELL_RANDOM_FIRST", 0);
-    const int programs = number_of("SNELL_RANDOM_EXPRESSIONS", 400) / of_one_program;
+    const int programs = number_of("SNELL_RANDOM_EXPRESSIONS", 240) / of_one_program;
     std::size_t ours = 0, specialised = 0;
     for (int program = first; program < first + programs; ++program) {
         std::mt19937 random(static_cast<unsigned>(number_of("SNELL_RANDOM_SEED", 1) * 100000 + program));

@@ -337,16 +337,16 @@ TEST_F(FoundSearch, WhatIsCheaperAndHarmlessIsOnTheFrontAndCombinesWithOthers) {
 uniform float uStep;
 void main() {
     float x = gl_FragCoord.x, y = x;
-    for (int i = 0; i < 900; ++i) x = x * .999 + uStep * sin(x);
-    for (int j = 0; j < 901; ++j) y = y * .999 + uStep * cos(y);
+    for (int i = 0; i < 400; ++i) x = x * .999 + uStep * sin(x);
+    for (int j = 0; j < 401; ++j) y = y * .999 + uStep * cos(y);
     gl_FragColor = vec4(vec3(.25 + .002 * step(0., x) + 1e-30 * y), 1.);
 }
 )");
     read_scene("Vertex full.vert\nFragment full.frag\nProgram Full uStep <.001 .001 .001>\nQuadXY 0 1\n");
     FoundResult found;
     for (int attempt = 0; attempt < 3 && found.front().empty(); ++attempt)
-        found = search({change(ChangeKind::fewer_rounds, "i < 900", "i < 90"),
-                        change(ChangeKind::fewer_rounds, "j < 901", "j < 90"),
+        found = search({change(ChangeKind::fewer_rounds, "i < 400", "i < 40"),
+                        change(ChangeKind::fewer_rounds, "j < 401", "j < 40"),
                         change(ChangeKind::without_term, " + .002 * step(0., x)", "")},
                        true);
     ASSERT_FALSE(found.front().empty());

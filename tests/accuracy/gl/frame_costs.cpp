@@ -57,7 +57,7 @@ TEST_F(FrameCostsTest, TimingPicturesCostsNoThreeHundredthsOfThem) {
     time(closed);
     time(opened);
     std::vector<double> without, with;
-    for (int round = 0; round < 31; ++round) {
+    for (int round = 0; round < 21; ++round) {
         if (round % 2) with.push_back(time(opened));
         without.push_back(time(closed));
         if (round % 2 == 0) with.push_back(time(opened));
@@ -65,7 +65,7 @@ TEST_F(FrameCostsTest, TimingPicturesCostsNoThreeHundredthsOfThem) {
     const accuracy::Interval ratio = accuracy::paired_ratio(with, without);
     RecordProperty("ratio", std::to_string(ratio.middle));
     EXPECT_LE(std::min(ratio.middle, ratio.low), 1.03) << ratio.low << " " << ratio.middle << " " << ratio.high;
-    EXPECT_EQ(opened.facts(document_.get())->frames.size(), 96U);
+    EXPECT_EQ(opened.facts(document_.get())->frames.size(), 66U);
     EXPECT_EQ(closed.facts(document_.get()), nullptr);
 }
 

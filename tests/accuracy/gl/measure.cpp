@@ -49,7 +49,7 @@ void main() {
         const auto sweeps = ladder_sweeps(plan().scene, plan().rungs, {"WORK"}, From::reference, problems);
         EXPECT_EQ(sweeps.size(), 1U);
         MeasureOptions options;
-        References references(.5);
+        References references(.1);
         options.references = &references;
         options.rounds = 15;
         options.seconds = seconds;  // 20: more than it takes, even where other programs have most of the machine
@@ -63,7 +63,7 @@ void main() {
 // Fewer rungs, not fewer rounds: the scene's own rung and the last one are drawn and timed, the others left out.
 TEST_F(Measure, ALadderWithoutTimeHasTwoRungs) {
     write_ladder();
-    bench_of_text(scene, 64, 64);
+    bench_of_text(scene, 40, 40);
     const SweepResult result = measure_ladder(1, 1e-3, 1e6);
     for (const RungResult& rung : result.rungs) {
         const bool known = rung.name == "one" || rung.name == "full";
@@ -77,7 +77,7 @@ TEST_F(Measure, ALadderWithoutTimeHasTwoRungs) {
 
 TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRight) {
     write_ladder();
-    bench_of_text(scene, 64, 64);
+    bench_of_text(scene, 40, 40);
     const double costs[]{1, 2, 2, 3, 4, 8}, errors[]{1, .5, .9, .8, .25, 0};
     const SweepResult result = measure_ladder(1);
     ASSERT_EQ(result.rungs.size(), 6U);
@@ -303,8 +303,9 @@ void main() {
 TEST_F(Advising, OfFewCombinationsAllAreMeasuredOnce) {
     Bench& b = ladders(false);
     Counsel found;
+    const auto right = [&] { return named(found, 0) == "bad bad bad" && named(found, 1).starts_with("fair fair"); };
     // Another process may disturb some frames of .3 ms so much that another combination looks quicker; not every time.
-    for (int attempt = 0; attempt < 4 && (attempt == 0 || named(found, 0) != "bad bad bad"); ++attempt)
+    for (int attempt = 0; attempt < 4 && (attempt == 0 || !right()); ++attempt)
         found = counsel(b, {Wish{}, Wish{.alone = .02}, Wish{.error = 1e-6}, Wish{.milliseconds = 1e-4}});
     EXPECT_EQ(found.sweeps.size(), 1U);
     EXPECT_EQ(found.sweeps[0].rungs.size(), 27U);
