@@ -73,12 +73,12 @@ TEST_F(ProgressLines, TimingFramesHasABarToo) {
 }
 
 TEST_F(ProgressLines, MeasuringHasOneWhereTheTerminalCanClearIt) {
-    const std::string accuracy = "accuracy " + folder.path("quick.glib") + " --size 64x64 --budget 2 --no-found";
-    const auto [text, seconds] = on_terminal(accuracy);
+    const std::string accuracy = "accuracy " + folder.path("quick.glib") + " --size 64x64 --no-found --budget ";
+    const auto [text, seconds] = on_terminal(accuracy + "2");
     if (text.find("no graphics") != std::string::npos) GTEST_SKIP() << text;
     EXPECT_NE(text.find(" s left"), std::string::npos) << text;
     EXPECT_EQ(text.find("\r\x1b[K"), text.find("snell [") - 4) << text;
-    const auto [plain, again] = on_terminal(accuracy, "dumb");
+    const auto [plain, again] = on_terminal(accuracy + "1", "dumb");
     EXPECT_EQ(plain.find(" s left"), std::string::npos) << plain;
     EXPECT_EQ(plain.find('\x1b'), std::string::npos) << plain;
 }

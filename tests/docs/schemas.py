@@ -105,7 +105,7 @@ def main(program, root):
                                  "--json", file)),
             ("accuracy", written("file.json", "accuracy", mirror, "--size", "16x16", "--from", "lattice", "--knobs",
                                  "samples", "--no-time", "--no-found", "--budget", "2", "--json", file)),
-            ("accuracy", written("file.json", "accuracy", mirror, "--size", "16x16", "--reps", "7", "--budget", "8",
+            ("accuracy", written("file.json", "accuracy", mirror, "--size", "16x16", "--reps", "7", "--budget", "4",
                                  "--error", ".5", "--json", file)),
             ("found", written("file.json", "accuracy", mirror, "--list-found", "--json", file)),
             ("commands", run("commands", "--json")),
