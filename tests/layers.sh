@@ -48,7 +48,7 @@ complain "the files of a scene are opened by src/content/regular_file.cpp, which
      grep -vE '^src/content/(regular_file.cpp|replace.cpp|process.cpp|load_module.cpp|image/module.cpp|oiio/)' |
      xargs grep -nE '\bO_(PATH|RDONLY)\b|/proc/self|#include <(fcntl|unistd|sys/mman)')"
 complain "libraries that a browser lacks have units of their own, which src/platform/web replaces or does without" \
-  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|platform/(headless|window)\.|content/(load_module|image/(png_write|module)|mesh/shp)\.)' |
+  "$(find src -name '*.h' -o -name '*.cpp' | grep -vE '^src/(app/|platform/(headless|press_times|window)\.|content/(load_module|image/(png_write|module)|mesh/shp)\.)' |
      xargs grep -nE '#include <(png|zlib|shapefil|dlfcn)')"
 complain "no #ifdef in what every platform builds" \
   "$(find parser src/content src/glsl src/plan src/lint src/gl src/runtime src/document -name '*.h' -o -name '*.cpp' |

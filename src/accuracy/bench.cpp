@@ -252,7 +252,9 @@ std::array<double, 2> sample_position(int index) {
 }
 
 Times SampleMean::add(Runtime& runtime, Frame frame, const FrameClock& clock) {
-    frame.shift = sample_position(samples_);
+    // Within a pixel of the picture that it is on the screen: an enlarged one has some of its pixels, not their means.
+    const auto [right, up] = sample_position(samples_);
+    frame.shift = {right / frame.enlarged, up / frame.enlarged};
     const Times took = clock.of([&] { runtime.draw(frame, surface()); });
     if (samples_++ == 0) target_.begin();
     target_.add(1);

@@ -239,6 +239,10 @@ TEST_F(FilePanels, SearchesFindTheScenesBesideTheOpenOne) {
     press(Key::o, {.ctrl = true});
     write("ss");
     EXPECT_TRUE(has("browser.none")) << "and that it is not there is said";
+    EXPECT_FALSE(has("browser.path"));
+    write("/");
+    EXPECT_TRUE(has("browser.path"));
+    press(Key::backspace);
     press(Key::enter);
     EXPECT_TRUE(memory_.browser.open);
     // What is typed goes to the other tab, and stays whatever is listed.

@@ -191,6 +191,10 @@ void start_page(const Facts& facts, const Listing& listing, Memory& memory, Requ
     cards("Scenes", "browser.scene", facts.examples.scenes, memory, requests, layout);
     cards("Lessons", "browser.lesson", facts.examples.lessons, memory, requests, layout);
     const std::string_view typed = memory.browser.typed.data();
+    if (is_path(typed)) {
+        wrapped("Enter opens this path: a scene, or a folder.", true);
+        layout.note("browser.path");
+    }
     if (typed.empty() || is_path(typed) || first_card(facts, listing, typed)) return;
     wrapped("No scene here has this in its name. Folders (Ctrl+Tab) has other folders; a path opens any scene.", true);
     layout.note("browser.none");
