@@ -35,11 +35,6 @@ const Stand& Measuring::measured(const Display& display) {
     return measured_;
 }
 
-std::optional<PixelSize> Measuring::reduced() const {
-    if (measured_.enlarged == 1) return std::nullopt;
-    return PixelSize{measured_.width, measured_.height};
-}
-
 bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory) {
     const Stand& stand = display.drawn().stand;
     stale = stale || scene.diagnostics.has_errors();  // of a scene that never was without, the picture is incomplete

@@ -44,9 +44,6 @@ public:
     // The divider's column in a picture of that width, where two states are shown side by side.
     std::optional<int> divider(int width, const ui::AccuracyMemory& memory) const;
 
-    // The size of pictures that are measured, if it is not that of the window's picture, which takes too long.
-    std::optional<PixelSize> reduced() const;
-
     // True if the picture must be drawn although it is unchanged.
     bool wants_picture(const Display& display) const { return frame_costs_.wants_picture() && display.lasts() == 0; }
     // Call these before and after a picture, or a strip of it, is drawn. begin_picture() returns the function for

@@ -482,9 +482,6 @@ ui::Facts App::facts() {
         facts.grain = fmt::format("drawing sharp: {} %", percent(share));
     else if (const auto flagged = measuring_.flagged())
         facts.grain = fmt::format("marks: {} %", percent(*flagged));
-    if (const auto size = measuring_.reduced())
-        facts.reduced =
-            fmt::format("Measured at {} x {}: a picture of this size takes too long.", size->width, size->height);
     facts.renderer = caps_.renderer;
     facts.first_picture = first_picture();
     facts.longest_picture = options_.timeout;

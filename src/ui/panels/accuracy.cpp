@@ -298,7 +298,10 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
     if (!memory.open) return;
     const float indent = ImGui::GetStyle().FramePadding.x * .5F;
     ImGui::Indent(indent);
-    reduced_line(facts, layout);
+    if (facts.accuracy && !facts.accuracy->reduced.empty()) {
+        wrapped(facts.accuracy->reduced, true);
+        layout.note("accuracy.reduced");
+    }
     if (facts.accuracy) {
         figures(facts, layout);
         show_buttons(memory, layout);

@@ -40,6 +40,7 @@ struct AccuracyPoint {
 
 struct AccuracyFacts {
     std::string note;       // why there is nothing to compare with; empty if there is
+    std::string reduced;    // the pictures that are compared have fewer pixels than the window's; empty if they do not
     bool of_scene = false;  // a found rung is shown, and the reference is the scene as it is
     int samples = 0, wanted = 1;
     std::string_view clock;                   // the clock that measured the points, by one sample per pixel

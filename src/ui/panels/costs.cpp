@@ -122,12 +122,6 @@ void last_picture(const Facts& facts, Layout& layout) {
     layout.note("last picture");
 }
 
-void reduced_line(const Facts& facts, Layout& layout) {
-    if (facts.reduced.empty()) return;
-    wrapped(facts.reduced, true);
-    layout.note("reduced");
-}
-
 bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
     memory.frame_cost =
         section("Frame cost", "How long pictures take, and their passes and draws", memory.open, layout, "frame cost");
@@ -151,13 +145,16 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         rows(cost.passes, layout);
         ImGui::PopID();
     }
-    reduced_line(facts, layout);
     const bool chosen = button(cost.measuring ? "Stop" : "Measure passes and draws", layout, "frame cost.measure");
     tip("Draws 22 additional frames that are not shown,\nand times every draw in half of them.");
     if (cost.measuring)
         ImGui::ProgressBar(static_cast<float>(*cost.measuring), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     if (!cost.apart.empty()) {
         wrapped(cost.apart_clock, true);
+        if (!cost.reduced.empty()) {
+            wrapped(cost.reduced, true);
+            layout.note("frame cost.reduced");
+        }
         ImGui::PushID("apart");
         const double all = rows(cost.apart, layout);
         ImGui::PopID();

@@ -205,6 +205,7 @@ void remarks(const FoundFacts& found, Layout& layout) {
         layout.note(name);
     };
     if (!found.note.empty()) say("found.note", found.note);
+    if (!found.reduced.empty()) say("found.reduced", found.reduced);
     if (found.stale)
         say("found.stale", "The files have changed: these are rungs of the older text.");
     else if (found.older)

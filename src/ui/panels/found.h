@@ -46,6 +46,7 @@ struct FoundRow {
 struct FoundFacts {
     std::string note;                // why nothing can be sought; empty if it can
     bool asked = false;              // rungs were sought since the scene was opened
+    std::string reduced;             // as in AccuracyFacts
     std::vector<FoundRow> rows;      // by group
     std::optional<double> progress;  // 0..1 while they are sought
     std::string doing;               // what the search is at

@@ -34,9 +34,6 @@ std::string bytes_text(std::uint64_t bytes);
 // Draws Facts::frame_ms. Every panel with the time of the window's picture says it so.
 void last_picture(const Facts& facts, Layout& layout);
 
-// Draws Facts::reduced, if it says something.
-void reduced_line(const Facts& facts, Layout& layout);
-
 // Draws the section; Memory::frame_cost says whether it is open. Returns true if the user starts measuring passes and
 // draws, or stops it while it runs.
 bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout);

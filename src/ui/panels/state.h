@@ -66,6 +66,7 @@ struct FrameCostFacts {
     double apart_plain = 0;           // a whole one of these frames, without waits or queries between its draws
     std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
     int coarse = 0;                   // number of coarse pictures, which are not among `frames`
+    std::string reduced;              // as in AccuracyFacts, of `apart`
 };
 
 struct SampleCards {
@@ -94,7 +95,6 @@ struct Facts {
     double frame_ms = 0;                   // time to draw the last picture, in milliseconds
     int samples = 1;                       // per pixel, of a sharp picture
     std::string grain;  // how much coarser the last picture is, because something is dragged; empty if sharp
-    std::string reduced;  // what is measured has fewer pixels than the picture; empty if it has as many
     std::string_view renderer;
     bool changed = false;                              // whether any value or rung differs from the scene's
     std::array<bool, snapshot_count + 1> snapshots{};  // by number: whether the snapshot exists

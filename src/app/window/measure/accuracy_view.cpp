@@ -234,6 +234,11 @@ Stand smaller(Stand stand, int divide) {
     return stand;
 }
 
+std::string reduced_text(const Stand& stand) {
+    if (stand.enlarged == 1) return "";
+    return fmt::format("Measured at {} x {}: a picture of full size takes too long.", stand.width, stand.height);
+}
+
 Refinement::Refinement(std::string path, const gl::Caps& caps)
     : path_(std::move(path)), caps_(caps), clock_(caps.software) {}
 
@@ -401,6 +406,7 @@ std::optional<double> Refinement::difference(int x, int y) const {
 ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
     ui::AccuracyFacts facts;
     facts.note = note_;
+    facts.reduced = reduced_text(stand_);
     facts.of_scene = scene_ != nullptr;
     facts.samples = samples_;
     facts.wanted = levels.back();

@@ -76,6 +76,8 @@ struct Stand {
 
 // The same with so many times fewer pixels along a side.
 Stand smaller(Stand stand, int divide);
+// What is said of results of such a picture; empty of one that is not smaller.
+std::string reduced_text(const Stand& stand);
 
 // Compares the picture of the chosen rungs with the reference, which has the last rung of every ladder, or that of a
 // found rung with the scene as it is. While nothing else happens, both are refined sample by sample; each step draws

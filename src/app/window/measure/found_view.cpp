@@ -207,7 +207,7 @@ bool FoundView::step(const std::function<void()>& alive) {
 void FoundView::begin(Document& scene, const Stand& stand) {
     sought_ = std::make_unique<Sought>(path_, scene.files->access());
     Sought& sought = *sought_;
-    facts_ = {.asked = true, .progress = 0, .doing = sought.doing};
+    facts_ = {.asked = true, .reduced = reduced_text(stand), .progress = 0, .doing = sought.doing};
     rung_.reset();  // the numbers may be others now
     sought.at = circumstances(stand);
     sought.rungs = scene.controls.rungs;

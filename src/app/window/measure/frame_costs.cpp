@@ -182,8 +182,11 @@ void FrameCosts::Apart::begin() {
 bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
     if (!apart_) return false;
     Apart& apart = *apart_;
-    if (apart.target.width != stand.width || apart.target.height != stand.height)
+    if (apart.target.width != stand.width || apart.target.height != stand.height) {
         apart.target = gl::make_target(stand.width, stand.height, samples);
+        apart.rounds.reset();  // times of two sizes are no rounds
+        apart.times.clear();
+    }
     if (!apart.target.framebuffer) {
         apart_.reset();
         return true;
@@ -194,6 +197,7 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
     if (!apart.rounds) apart.begin();
     if (apart.rounds->step()) return true;
     known_ = std::move(apart.times);
+    facts_.reduced = reduced_text(stand);
     plain_ = accuracy::median(accuracy::by_clock(apart.rounds->times(0), apart.clock));
     apart_.reset();
     return true;
