@@ -55,7 +55,7 @@ protected:
         }));
         return answers;
     }
-    static constexpr const char* slow = "1800";
+    static constexpr const char* slow = "2500";
     static constexpr std::array<int, 2> coarse_then_sharp{2, 1};
 
 private:
@@ -126,7 +126,6 @@ TEST_F(SlowPictures, MoveCoarseAndAreSharpWhenTheyStand) {
 
 TEST_F(SlowPictures, AreMarkedInStripsOnceTheyAreSharp) {
     save("paint.frag", shader("int(uRounds)", "(gl_FragCoord.x < 150. ? sqrt(-1. - uPhase) : 0.)"));
-    save("slow.glib", scene("2500"));
     open("slow.glib", {"--no-specialise"});
     user("key n");
     EXPECT_GT(marked(), 3) << "the window answers between two strips";
