@@ -67,7 +67,8 @@ void PictureSaver::fill(const Document& document, const Picture& shown, ui::Pict
     picture.file[length] = '\0';
     picture.width = shown.width;
     picture.height = shown.height;
-    if (document.runtime->animated()) picture.to = document.scene().timer_period;
+    constexpr double longest = 600;  // seconds: 15,000 pictures
+    if (document.runtime->animated()) picture.to = std::min(document.scene().timer_period, longest);
 }
 
 void PictureSaver::serve(const ui::Requests& requests, const Document& document, const Picture& shown, Window& window,
@@ -104,13 +105,15 @@ std::string PictureSaver::begin(const Document& document, const Picture& shown, 
     work->files = files_of(document.path, asked, error);
     if (!error.empty()) return error;
     std::error_code none;
-    for (const std::string& file : work->files)
+    std::string there;  // the first file that exists
+    for (const std::string& file : work->files) {
+        if (!fs::exists(file, none)) continue;
+        if (there.empty()) there = file;
         for (const std::string& read : document.files->read_paths())
             if (fs::equivalent(file, read, none))
                 return "'" + file + "' is read by the scene, and would be overwritten";
-    const auto there = ranges::find_if(work->files, [&](const std::string& file) { return fs::exists(file, none); });
-    const bool exists = there != work->files.end();
-    if (!ui::confirmed(picture, exists, exists ? *there : std::string())) return {};
+    }
+    if (!ui::confirmed(picture, !there.empty(), there)) return {};
     if (asked.transparent && !app::holds_alpha(work->files.front()))
         return "this format cannot be transparent: PNG and EXR can";
     work->document = &document;
