@@ -100,6 +100,7 @@ TEST(StateDifference, NamesEachValueWhereThereAreSome) {
     EXPECT_EQ(told({{"--set M.uA", "4.53512"}, {"--set M.uSteps", "1234567"}, {"--set M.uB", "1"}},
                    {{"--set M.uA", "1"}, {"--set M.uSteps", "5e9"}, {"--set M.uB", "1"}}),
               "uA 4.535, uSteps 1234567 | uA 1, uSteps 5e+09");
+    EXPECT_EQ(told({{"--set M.uA", "1.0001"}}, {{"--set M.uA", "1"}}), "uA 1.0001 | 1") << "as many digits as it takes";
     EXPECT_EQ(told({{"--set M.uA", "1"}}, {{"--set M.uA", "1"}}), " | ");
 }
 

@@ -168,8 +168,10 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
     frame({key(Key::s, false)});
     EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::split) << "without the panel, too";
     facts_.states = &states_;
+    const Rect first = place("accuracy.left");
     for (const float at : {.02F, .2F, .5F, .98F}) {
         memory_.accuracy.divider = at;
+        EXPECT_EQ(place("accuracy.left"), first) << "one click more hits the same button";
         const Rect left = place("accuracy.left"), right = place("accuracy.right");
         EXPECT_GE(left.x, 0);
         EXPECT_LT(left.x + left.width, right.x);

@@ -60,12 +60,13 @@ std::string first_message(const Diagnostics& diagnostics) {
 }
 
 // "1.33" of "1.3300000000000001", "40000" of "40000", and "1 .5 0" of "1,0.5,0".
-std::string short_value(const std::string& text) {
+std::string short_value(const std::string& text, int least) {
     const std::vector<double> numbers = read_numbers(text);
     if (numbers.empty()) return text;
     std::string words;
     for (const double number : numbers) {
-        const int digits = std::abs(number) >= 1e4 && std::abs(number) < 1e8 ? 8 : 4;  // whole thousands stay whole
+        const bool large = std::abs(number) >= 1e4 && std::abs(number) < 1e8;  // whole thousands stay whole
+        const int digits = large ? std::max(8, least) : least;
         words += fmt::format("{}{:.{}g}", words.empty() ? "" : " ", number, digits);
     }
     return words;
@@ -118,9 +119,14 @@ StateDifference difference(const Setup& left, const Setup& right) {
         const auto& [key, value] = here;
         const std::string name = key.substr((key.starts_with(ladder_option) ? key.find(' ') : key.rfind('.')) + 1);
         const char* comma = count > 1 ? ", " : "";
-        found.left += fmt::format("{}{} {}", comma, name, short_value(value));
+        std::string here_text, there_text;
+        for (int digits = 4; digits <= 16 && here_text == there_text; digits *= 2) {
+            here_text = short_value(value, digits);
+            there_text = short_value(right.at(key), digits);
+        }
+        found.left += fmt::format("{}{} {}", comma, name, here_text);
         // Of a single one the left says which.
-        found.right += fmt::format("{}{}{}", comma, all > 1 ? name + " " : "", short_value(right.at(key)));
+        found.right += fmt::format("{}{}{}", comma, all > 1 ? name + " " : "", there_text);
     }
     if (all > most_differences)
         for (std::string* side : {&found.left, &found.right})

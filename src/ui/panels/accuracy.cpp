@@ -335,13 +335,12 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
     const float middle = button_width("\u21C4") + other + 2 * gap, pad = .4F * ImGui::GetFontSize();
     // In the narrowest windows the buttons have a line of their own.
     const bool two_lines = scene.width < 20 * ImGui::GetFontSize();
-    // Where the buttons are does not depend on the labels, which change while somebody uses them.
+    // Where the buttons are depends neither on the labels, which change while somebody uses them, nor on the divider.
     const float room = std::max(scene.width - (two_lines ? 0 : middle) - gap - 4 * pad, 2.0F) / 2;
     const float left = std::min(room, 18 * ImGui::GetFontSize());
     const float all = 2 * left + (two_lines ? 0 : middle) + gap + 2 * pad;
-    const float divider = memory.show == Show::split ? memory.divider : .5F;
-    const float x = std::clamp(scene.x + scene.width * divider - left - pad - gap - button_width("\u21C4") / 2,
-                               scene.x + pad, std::max(scene.x + pad, scene.x + scene.width - all - pad));
+    const float x = std::clamp(scene.x + scene.width / 2 - left - pad - gap - button_width("\u21C4") / 2, scene.x + pad,
+                               std::max(scene.x + pad, scene.x + scene.width - all - pad));
     ImGui::SetNextWindowPos({std::round(x), scene.y + scene.height - pad}, 0, {0, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.PopupRounding);
