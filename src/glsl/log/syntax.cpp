@@ -82,7 +82,7 @@ std::size_t last_block(const Around& a) {
     return ended;
 }
 
-Around around(std::string_view text, const std::vector<Word>& all, std::uint32_t offset) {
+Around around(std::string_view text, std::span<const Word> all, std::uint32_t offset) {
     Around a;
     a.text = text;
     a.all = all;
@@ -269,6 +269,19 @@ bool second_operand(const Around& a, bool number) {
     return value && a.before() != "return";
 }
 
+bool is_number(std::string_view word) {
+    return std::isdigit(static_cast<unsigned char>(word[0])) != 0 || (word[0] == '.' && word.size() > 1);
+}
+
+// The first word in the line of `a.at` that is an operand right after another.
+std::optional<std::size_t> operand_in_line(const Around& a) {
+    for (std::size_t i = a.at; i < a.all.size() && a.all[i].line == a.all[a.at].line; ++i) {
+        const Around here = around(a.text, a.all, a.all[i].begin);
+        if (second_operand(here, is_number(a.word(i))) && !builtin_type(here.before())) return i;
+    }
+    return std::nullopt;
+}
+
 // Two operands, or a sign too many, where one word says what was meant.
 bool hint_words(const Around& a, const Place& place, Diagnostic& diagnostic) {
     const std::string_view here = a.word(a.at), next = a.word(a.at + 1), before = a.before();
@@ -281,7 +294,7 @@ bool hint_words(const Around& a, const Place& place, Diagnostic& diagnostic) {
             return true;
         }
     const bool name = a.at > 0 && a.all[a.at - 1].name;
-    const bool number = std::isdigit(static_cast<unsigned char>(here[0])) != 0 || (here[0] == '.' && here.size() > 1);
+    const bool number = is_number(here);
     if (here == "=" && next == "=" && name && a.parens == 0) {
         diagnostic.help = "'==' compares; '=' gives a value";
         diagnostic.fixes = {{{place.file, a.all[a.at].begin, a.all[a.at + 1].end}, "="}};
@@ -356,8 +369,13 @@ bool finished(std::string_view text, const std::vector<Word>& words, std::uint32
 void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnostic) {
     if (!place.known) return;
     const std::string_view text = context.sources.text(place.file);
-    const Around a = around(text, context.texts.words(place.file), place.span.begin);
+    Around a = around(text, context.texts.words(place.file), place.span.begin);
     if (a.at < a.all.size()) {
+        // Where the compiler names no word, the place is that of the whole line.
+        if (const auto found = operand_in_line(a); found && diagnostic.message.starts_with("syntax error (")) {
+            a = around(text, context.texts.words(place.file), a.all[*found].begin);
+            diagnostic.span = a.span(place.file, a.at);
+        }
         if (hint_character(a.span(place.file, a.at), text, diagnostic)) return;
         if (hint_template(a, place, diagnostic)) return;
         if (hint_macro(a, place, diagnostic) || hint_body(a, diagnostic)) return;
