@@ -271,6 +271,22 @@ TEST_F(SlowPictures, AreMeasuredWithFewerPixels) {
     EXPECT_TRUE(state()["widgets"].contains("frame cost.reduced"));
 }
 
+TEST_F(SlowPictures, OfTheReferenceAloneHaveFewerPixelsThere) {
+    save("paint.frag",
+         "uniform float uRounds, uPhase;\nvoid main() {\n    float x = gl_FragCoord.x;\n"
+         "#if RED == RED_none\n    float red = 0.;\n#else\n    float red = 1.;\n"
+         "    for (int i = 0; i < int(uRounds); ++i) x += sin(x);\n#endif\n"
+         "    gl_FragColor = vec4(red, 1., 1e-9 * x, 1.);\n}\n");
+    save("slow.glib", "Ladder RED <none> all\n" + scene(slow));
+    open("slow.glib", {"--no-specialise"});
+    EXPECT_EQ(state()["coarse"], 0);
+    user("key a");
+    EXPECT_TRUE(wait(
+        [](const json& s) { return s.contains("accuracy") && s["accuracy"]["samples"] == s["accuracy"]["wanted"]; }));
+    EXPECT_TRUE(state()["widgets"].contains("accuracy.reduced"));
+    EXPECT_NEAR(state()["accuracy"]["error"].get<double>(), std::sqrt(1 / 3.), 1e-3);
+}
+
 // The text shows no long loops: the picture before tells, from which one cannot know how much of it the compiler took.
 TEST_F(SlowPictures, AreCoarseOnceOneTookLongWhateverTheTextSays) {
     const std::string dear = "x += sin(x + cos(x * 1.7)) + exp(-x * x) * pow(abs(x) + .1, 1.3);";

@@ -25,7 +25,10 @@ void Measuring::leave() {
 const Stand& Measuring::measured(const Display& display) {
     constexpr int smallest = 16;  // a divisor
     const bool sharp = display.drawn().grain == 0 && display.sharp_share() == 0;
-    const double lasts = display.lasts() > 0 && sharp ? display.counters().frame_ms : display.lasts();
+    double lasts = display.lasts() > 0 && sharp ? display.counters().frame_ms : display.lasts();
+    // The reference may take longer than the picture. What was reduced for it stays so if it takes a little less.
+    if (accuracy_.lasts() > Coarseness::patience / (measured_.enlarged > 1 ? 4 : 1))
+        lasts = std::max(lasts, accuracy_.lasts());
     int divide = lasts > 0 ? std::max(measured_.enlarged, 1) : 1;
     while (divide < smallest && lasts / divide / divide > 2 * Strips::aim) divide *= 2;
     while (divide > 1 && lasts / divide / divide < Strips::aim / 2) divide /= 2;

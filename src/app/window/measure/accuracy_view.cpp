@@ -302,9 +302,12 @@ bool Refinement::step() {
     if (!busy()) return false;
     const bool behind = means_->reference.samples() <= means_->chosen.samples();
     const bool more = means_->reference.samples() < levels.back();
-    const bool new_facts = note_.empty() && more && behind            ? reference_step()
+    const bool other = note_.empty() && more && behind;
+    const runtime::Stopwatch watch;
+    const bool new_facts = other                                      ? reference_step()
                            : means_->chosen.samples() < levels.back() ? chosen_step()
                                                                       : cost_step();
+    if (other) lasts_ = watch.milliseconds() * stand_.enlarged * stand_.enlarged;
     if (new_facts) ++revision_;
     return new_facts;
 }

@@ -104,6 +104,8 @@ public:
 
     // `ladder` is the one whose rungs are plotted.
     ui::AccuracyFacts facts(std::size_t ladder) const;
+    // Milliseconds that the slower one of the compared pictures would take in the window's size, by its last sample.
+    double lasts() const { return lasts_; }
     // How many times larger than the pictures that are compared the window shows them.
     int enlarged() const { return stand_.enlarged; }
     // The reference in its current refinement; null if there is none yet.
@@ -148,6 +150,7 @@ private:
     accuracy::Error error_;
     int samples_ = 0;            // of `chosen_` and `error_`
     int reference_samples_ = 0;  // of the best of `references_`
+    double lasts_ = 0;
     accuracy::FrameClock clock_;
     std::vector<double> times_;  // of the last samples of the chosen rungs
     bool cold_ = true;           // the next sample compiles or loads, so it is not timed
@@ -173,6 +176,7 @@ public:
     void leave_pair() { beside_.reset(); }
     void leave();
     bool busy() const { return now() && now()->busy(); }
+    double lasts() const { return now() ? now()->lasts() : 0; }
     // Returns true if the panel or the picture changed.
     bool step() { return now() && now()->step(); }
     // Starts measuring all rungs of the plotted ladder, or stops it.
