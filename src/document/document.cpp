@@ -302,7 +302,7 @@ Saved saved_values(const Document& document, std::span<const Animated> moving) {
 
 SavedAs saved_as(const Document& document, const std::string& name, std::span<const Animated> moving) {
     const Saved saved = new_texts(document, moving);
-    SavedAs as{{{}, {}, std::string(document.sources.text(0))}, false, saved.error};
+    SavedAs as{{{}, {}, std::string(document.sources.text(0))}, false, saved.error, saved.moving};
     const fs::path given = fs::path(name).filename();
     if (as.error.empty() && (given.empty() || given == "." || given == "..")) as.error = "the scene needs a name";
     if (!as.error.empty()) return as;

@@ -107,9 +107,10 @@ Saved saved_values(const Document& document, std::span<const Animated> moving = 
 
 // The scene with its current values, under another name.
 struct SavedAs {
-    SavedFile file;       // `before` is empty
-    bool exists = false;  // a file of that name would be replaced
-    std::string error;    // why the scene can't have that name
+    SavedFile file;                        // `before` is empty
+    bool exists = false;                   // a file of that name would be replaced
+    std::string error;                     // why the scene can't have that name
+    std::vector<std::string> moving = {};  // as in Saved
 };
 // Computes it, whatever has become of the scene's own file; writes nothing. `name` is relative to the scene's folder.
 // Refuses folders from which the scene's files would not be found, and values that belong to another file, which the

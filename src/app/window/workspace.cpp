@@ -86,8 +86,7 @@ void Workspace::reload(View& view, ui::Memory& memory) {
 
 void Workspace::begin(View& view, std::string& notice) {
     notice = past_.begin(session_, view);
-    if (!std::exchange(saved_as_, {}).empty())
-        notice = "saved as " + utf8::printable(std::filesystem::path(session_.path()).filename().string());
+    if (std::string said = std::exchange(saved_as_, {}); !said.empty()) notice = std::move(said);
 }
 
 bool Workspace::look(const View& view, ui::Memory& memory) {
@@ -185,7 +184,8 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
         if (!served.files.empty()) past_.add(std::move(served.what), std::move(served.files), session_);
         if (!served.saved_as.empty()) {
             past_.hand_on(session_, served.saved_as, view);
-            return saved_as_ = served.saved_as;
+            saved_as_ = std::move(served.as);
+            return std::move(served.saved_as);
         }
         saver_.serve(requests, *document(), shown, window, memory);
         serve_page(requests, view, memory);

@@ -89,7 +89,7 @@ private:
     PictureSaver saver_;
     PageMaker pages_;
     std::string name_;      // of the scene's file
-    std::string saved_as_;  // path of the scene under another name, until it is shown
+    std::string saved_as_;  // what is said of the scene under another name, until it is shown
     bool unsaved_ = false;
     std::string titled_path_;  // of the title that was set last
     std::optional<bool> titled_unsaved_;

@@ -47,6 +47,13 @@ void restore(int number, Document& document, ui::Memory& memory) {
     memory.notice = fmt::format("snapshot {}{}", number, lost);
 }
 
+// What is not saved, because it moves by itself.
+std::string left_out(const std::vector<std::string>& moving) {
+    if (moving.empty()) return "";
+    return fmt::format("; not {}, which {}", utf8::printable(fmt::format("{}", fmt::join(moving, ", "))),
+                       moving.size() == 1 ? "moves" : "move");
+}
+
 void save_as(const Document& document, ui::Memory& memory, Keeper::Served& served) {
     ui::SaveAs& dialog = memory.save_as;
     std::string name = dialog.file.data();
@@ -67,6 +74,7 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     if (!dialog.error.empty()) return;
     dialog.open = false;
     memory.failures.done(Remedy::save);
+    served.as = "saved as " + printable_name(saved.file.path) + left_out(saved.moving);
     served.saved_as = saved.file.path;
 }
 
@@ -116,9 +124,7 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
         notice += " " + printable_name(file.path);
         served.what += " " + printable_name(file.path);
     }
-    if (!saved.moving.empty())
-        notice += fmt::format("; not {}, which {}", utf8::printable(fmt::format("{}", fmt::join(saved.moving, ", "))),
-                              saved.moving.size() == 1 ? "moves" : "move");
+    notice += left_out(saved.moving);
     if (saved.files.empty()) notice += "; the view and moved objects are not written to the scene";
     std::string unwritten;
     for (const Unwritten& value : saved.unwritten)

@@ -42,6 +42,7 @@ public:
         std::string what;  // replaced these files, such as "snapshot 3"
         std::vector<SavedFile> files;
         std::string saved_as;  // path of the scene that was saved under another name
+        std::string as;        // what is said of it when it is shown
         std::string copied;    // for the clipboard
     };
     // Executes the requests and sets `memory.notice`, or `memory.failures`, to their outcome.
