@@ -263,12 +263,14 @@ TEST_F(SlowPictures, AreMeasuredWithFewerPixels) {
     for (const json& cost : now["frame_cost"]["apart"]) all += cost["draw"] ? 0 : cost["milliseconds"].get<double>();
     EXPECT_LT(all, now["ms"][0].get<double>() / 4);
     EXPECT_TRUE(now["widgets"].contains("frame cost.reduced"));
+    EXPECT_FALSE(now["widgets"].contains("frame cost.older"));
     // It goes with the times, and not with the picture.
     click("controls");
     type("Paint.uRounds", "9", Field::number);
     click("tools");
     settle();
     EXPECT_TRUE(state()["widgets"].contains("frame cost.reduced"));
+    EXPECT_TRUE(state()["widgets"].contains("frame cost.older"));
 }
 
 TEST_F(SlowPictures, OfTheReferenceAloneHaveFewerPixelsThere) {

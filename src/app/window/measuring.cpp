@@ -104,7 +104,7 @@ void Measuring::tell(ui::Facts& facts, Document* document, const Session& sessio
     facts.states = document ? states_.facts(*document, session.earlier(), facts.snapshots, found_text()) : nullptr;
     facts.accuracy = accuracy_.facts(memory.accuracy);
     facts.found = document && memory.accuracy.open ? found_.facts() : nullptr;
-    facts.frame_cost = frame_costs_.facts(document);
+    facts.frame_cost = frame_costs_.facts(document, measured_);
     facts.pixels = pixels_.facts();
     facts.textures = textures_.facts();
 }

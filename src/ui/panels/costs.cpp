@@ -151,6 +151,10 @@ bool frame_cost_section(const Facts& facts, Memory& memory, Layout& layout) {
         ImGui::ProgressBar(static_cast<float>(*cost.measuring), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     if (!cost.apart.empty()) {
         wrapped(cost.apart_clock, true);
+        if (cost.older) {
+            wrapped("Values or view have changed: the times are of the older ones.", true);
+            layout.note("frame cost.older");
+        }
         if (!cost.reduced.empty()) {
             wrapped(cost.reduced, true);
             layout.note("frame cost.reduced");

@@ -193,7 +193,10 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
         ImGui::TextDisabled("%s", pixels.at.c_str());
         if (!pixels.half.empty()) fitted(pixels.half, ImGui::GetContentRegionAvail().x, true);
         channels(found, fonts);
-        if (pixels.difference) ImGui::TextUnformatted(Text("difference of light {:.4g}", *pixels.difference).c_str());
+        if (pixels.difference && std::isnan(*pixels.difference))
+            ImGui::TextUnformatted("difference of light NaN");
+        else if (pixels.difference)
+            ImGui::TextUnformatted(Text("difference of light {:.4g}", *pixels.difference).c_str());
         if (found.depth) {
             ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());
             if (found.distance) ImGui::TextUnformatted(Text("distance from the eye: {:.6g}", *found.distance).c_str());

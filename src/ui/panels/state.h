@@ -67,6 +67,7 @@ struct FrameCostFacts {
     std::optional<double> measuring;  // progress 0..1 while the additional frames are drawn
     int coarse = 0;                   // number of coarse pictures, which are not among `frames`
     std::string reduced;              // as in AccuracyFacts, of `apart`
+    bool older = false;               // `apart` is of other values or another view than the picture's
 };
 
 struct SampleCards {

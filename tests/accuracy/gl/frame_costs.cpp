@@ -35,7 +35,7 @@ protected:
         document_->runtime->draw(frame, {target_.framebuffer.get(), size, size});
         gl::finish();
         costs.end(last_ = accuracy::wall_milliseconds() - begin, true);
-        costs.facts(document_.get());
+        costs.facts(document_.get(), {});
     }
 
     static constexpr int size = 384;
@@ -65,15 +65,15 @@ TEST_F(FrameCostsTest, TimingPicturesCostsNoThreeHundredthsOfThem) {
     const accuracy::Interval ratio = accuracy::paired_ratio(with, without);
     RecordProperty("ratio", std::to_string(ratio.middle));
     EXPECT_LE(std::min(ratio.middle, ratio.low), 1.03) << ratio.low << " " << ratio.middle << " " << ratio.high;
-    EXPECT_EQ(opened.facts(document_.get())->frames.size(), 66U);
-    EXPECT_EQ(closed.facts(document_.get()), nullptr);
+    EXPECT_EQ(opened.facts(document_.get(), {})->frames.size(), 66U);
+    EXPECT_EQ(closed.facts(document_.get(), {}), nullptr);
 }
 
 TEST_F(FrameCostsTest, MedianAndNinetyFifthOfTheLastPictures) {
     FrameCosts costs(caps);
     costs.open(true, 1, 0);
     for (int i = 0; i < 20; ++i) picture(costs);
-    const ui::FrameCostFacts& facts = *costs.facts(document_.get());
+    const ui::FrameCostFacts& facts = *costs.facts(document_.get(), {});
     std::vector<float> sorted(facts.frames.begin(), facts.frames.end());
     std::ranges::sort(sorted);
     ASSERT_EQ(sorted.size(), 20U);
@@ -83,7 +83,7 @@ TEST_F(FrameCostsTest, MedianAndNinetyFifthOfTheLastPictures) {
                 1);
     costs.open(false, 1, 0);
     costs.open(true, 1, 0);
-    EXPECT_TRUE(costs.facts(document_.get())->frames.empty());
+    EXPECT_TRUE(costs.facts(document_.get(), {})->frames.empty());
 }
 
 // A still scene draws no picture when the panel opens.
@@ -92,13 +92,13 @@ TEST_F(FrameCostsTest, BeginsWithThePictureThatIsShown) {
     picture(costs);
     EXPECT_TRUE(costs.open(true, 1, last_));
     EXPECT_FALSE(costs.open(true, 1, last_));
-    ASSERT_EQ(costs.facts(document_.get())->frames.size(), 1U);
-    EXPECT_EQ(costs.facts(document_.get())->median, static_cast<float>(last_));
+    ASSERT_EQ(costs.facts(document_.get(), {})->frames.size(), 1U);
+    EXPECT_EQ(costs.facts(document_.get(), {})->median, static_cast<float>(last_));
     EXPECT_TRUE(costs.wants_picture()) << "without the driver's compiler";
     picture(costs);
     EXPECT_FALSE(costs.wants_picture());
-    ASSERT_EQ(costs.facts(document_.get())->frames.size(), 2U);
-    EXPECT_EQ(costs.facts(document_.get())->frames.back(), static_cast<float>(last_));
+    ASSERT_EQ(costs.facts(document_.get(), {})->frames.size(), 2U);
+    EXPECT_EQ(costs.facts(document_.get(), {})->frames.back(), static_cast<float>(last_));
 }
 
 TEST_F(FrameCostsTest, PassesAndDrawsAreMeasuredApart) {
@@ -114,9 +114,9 @@ TEST_F(FrameCostsTest, PassesAndDrawsAreMeasuredApart) {
         int steps = 0;
         while (costs.busy() && steps < 100) steps += costs.step(*document_, stand, 1);
         ASSERT_FALSE(costs.busy());
-        rows = costs.facts(document_.get())->apart;
+        rows = costs.facts(document_.get(), {})->apart;
         ASSERT_EQ(rows.size(), 5U);
-        part = costs.facts(document_.get())->apart_plain / (rows[0].milliseconds + rows[2].milliseconds);
+        part = costs.facts(document_.get(), {})->apart_plain / (rows[0].milliseconds + rows[2].milliseconds);
     }
     EXPECT_GT(part, .3);
     EXPECT_LT(part, 1.5) << "waits make nothing cheaper";
@@ -148,7 +148,7 @@ TEST_F(FrameCostsTest, TimerQueriesTellOfEveryPass) {
     FrameCosts costs(caps);
     costs.open(true, 1, 0);
     for (int i = 0; i < 3; ++i) picture(costs);
-    const ui::FrameCostFacts& facts = *costs.facts(document_.get());
+    const ui::FrameCostFacts& facts = *costs.facts(document_.get(), {});
     if (facts.passes.empty()) GTEST_SKIP() << "this context has no timer queries";
     EXPECT_EQ(facts.frames.size(), 3U);
     ASSERT_EQ(facts.passes.size(), 2U);
@@ -158,7 +158,7 @@ TEST_F(FrameCostsTest, TimerQueriesTellOfEveryPass) {
     Stand stand;
     stand.width = stand.height = size;
     for (int i = 0; costs.busy() && i < 100; ++i) costs.step(*document_, stand, 1);
-    EXPECT_EQ(costs.facts(document_.get())->apart.size(), 5U);
+    EXPECT_EQ(costs.facts(document_.get(), {})->apart.size(), 5U);
 }
 
 }  // namespace

@@ -234,6 +234,15 @@ Stand smaller(Stand stand, int divide) {
     return stand;
 }
 
+Stand circumstances(Stand stand) {
+    stand.width = stand.height = 0;
+    stand.enlarged = 1;
+    stand.time = 0;
+    stand.view.axes = false;
+    stand.view.mouse_x = stand.view.mouse_y = 0;
+    return stand;
+}
+
 std::string reduced_text(const Stand& stand) {
     if (stand.enlarged == 1) return "";
     return fmt::format("Measured at {} x {}: a picture of full size takes too long.", stand.width, stand.height);

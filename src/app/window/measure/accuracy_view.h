@@ -71,11 +71,12 @@ struct Stand {
     std::vector<double> values;
     int enlarged = 1;  // that of Frame
     bool operator==(const Stand&) const = default;
-
 };
 
 // The same with so many times fewer pixels along a side.
 Stand smaller(Stand stand, int divide);
+// Without what measured numbers hardly depend on: while it is the same, they are not of an older picture.
+Stand circumstances(Stand stand);
 // What is said of results of such a picture; empty of one that is not smaller.
 std::string reduced_text(const Stand& stand);
 

@@ -120,16 +120,6 @@ constexpr std::chrono::milliseconds at_once{50};
 // For the means of expressions, which have no steps.
 constexpr std::chrono::seconds longest_wait{2};
 
-// Without what the numbers of found rungs do not depend on.
-Stand circumstances(Stand stand) {
-    stand.width = stand.height = 0;
-    stand.enlarged = 1;
-    stand.time = 0;
-    stand.view.axes = false;
-    stand.view.mouse_x = stand.view.mouse_y = 0;
-    return stand;
-}
-
 // The folder that a rung is written to if the user names no other one: beside the scene.
 std::filesystem::path folder_for(const std::string& scene, const std::string& rung) {
     const std::filesystem::path path(scene);

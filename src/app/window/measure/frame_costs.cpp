@@ -198,6 +198,7 @@ bool FrameCosts::step(Document& document, const Stand& stand, int samples) {
     if (apart.rounds->step()) return true;
     known_ = std::move(apart.times);
     facts_.reduced = reduced_text(stand);
+    known_of_ = {circumstances(stand), document.controls.rungs};
     plain_ = accuracy::median(accuracy::by_clock(apart.rounds->times(0), apart.clock));
     apart_.reset();
     return true;
@@ -245,7 +246,7 @@ std::vector<ui::CostRow> FrameCosts::rows_of(const Times& times, const Document&
     return rows;
 }
 
-const ui::FrameCostFacts* FrameCosts::facts(const Document* document) {
+const ui::FrameCostFacts* FrameCosts::facts(const Document* document, const Stand& stand) {
     if (!open_) return nullptr;
     sorted_.assign(frames_.begin(), frames_.end());
     facts_.frames = frames_;
@@ -262,6 +263,8 @@ const ui::FrameCostFacts* FrameCosts::facts(const Document* document) {
     facts_.apart_plain = plain_;
     facts_.apart_clock = by_gpu() ? "GPU time, with a timer query at every draw"
                                   : "with a wait after every draw, which makes draws take longer";
+    facts_.older =
+        !known_.empty() && document && known_of_ != std::pair(circumstances(stand), document->controls.rungs);
     facts_.measuring.reset();
     if (apart_) facts_.measuring = apart_->done;
     return &facts_;

@@ -46,8 +46,8 @@ public:
     // Adds the results of measure(): times of passes, and of programs as the sum of their draws.
     void fill(Explanation& explanation) const;
 
-    // Null while the panel is closed. Valid until the next call.
-    const ui::FrameCostFacts* facts(const Document* document);
+    // `stand` is that of the picture in the window. Null while the panel is closed. Valid until the next call.
+    const ui::FrameCostFacts* facts(const Document* document, const Stand& stand);
 
 private:
     static constexpr std::size_t most_frames = 240;  // number of frames in the plot
@@ -73,8 +73,9 @@ private:
     bool distrusted_ = false;
     std::uint64_t revision_ = 0;
     std::unique_ptr<Apart> apart_;
-    Times known_;       // results of measure()
-    double plain_ = 0;  // likewise, of whole frames
+    Times known_;                       // results of measure()
+    std::pair<Stand, Rungs> known_of_;  // what they are of
+    double plain_ = 0;                  // likewise, of whole frames
     std::vector<ui::CostRow> live_rows_, apart_rows_;
     ui::FrameCostFacts facts_;
 };
