@@ -288,7 +288,8 @@ Saved saved_values(const Document& document, std::span<const Animated> moving) {
     const auto check_there = [&](const std::string& path) {
         const bool there = fs::exists(path, error);
         if (!there)
-            saved.error = utf8::printable(path) + " is gone: save as another file, which writes the scene as snell has it";
+            saved.error =
+                utf8::printable(path) + " is gone: save as another file, which writes the scene as snell has it";
         return there;
     };
     if (check_there(document.path))  // also where no value was changed

@@ -286,7 +286,8 @@ TEST_F(Kept, ASliderThatMovesKeepsTheScenesNumber) {
     keeper.serve({.save = true}, *document, {}, memory);
     EXPECT_EQ(memory.notice, "1 value saved to s.glib; not uColor, which moves");
     memory.save_as.file = {'o', '.', 'g', 'l', 'i', 'b'};
-    EXPECT_EQ(keeper.serve({.save_as_now = true}, *document, {}, memory).as, "saved as o.glib; not uColor, which moves");
+    EXPECT_EQ(keeper.serve({.save_as_now = true}, *document, {}, memory).as,
+              "saved as o.glib; not uColor, which moves");
     EXPECT_EQ(named(*read(), "uColor").value, (std::vector<double>{.375, written[1], written[2]}));
     memory.animated.clear();
     auto again = read();
