@@ -9,7 +9,7 @@ jobs=$(nproc)
 failed=()
 say() { printf '%s\n' "$*" >&2; }
 # A scene that misses a file looks into the folders beside its own: temporary ones are of this run alone.
-TMPDIR=$(mktemp -d) && export TMPDIR && trap 'rm -rf "$TMPDIR"' EXIT
+TMPDIR=$(mktemp -d) && chmod 711 "$TMPDIR" && export TMPDIR && trap 'rm -rf "$TMPDIR"' EXIT
 
 build() {
   cmake --preset "$1" >&2 && cmake --build "build/$1" -- --quiet "${@:2}" >&2
