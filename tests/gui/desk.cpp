@@ -299,9 +299,7 @@ void Desk::share(const std::string& scene, const std::vector<std::string>& more)
         return;
     }
     remember_in(shared()->folder);
-    std::vector<std::string> longer = more;
-    longer.insert(longer.end(), {"--exit-after", std::to_string(static_cast<int>(600 * patience))});
-    begin(scene, longer);
+    begin(scene, more);
     shared()->window = window_;
     remember_in(folder_);
 }
@@ -315,7 +313,8 @@ void Desk::begin(const std::string& scene, std::vector<std::string> more) {
         if (std::find(more.begin(), more.end(), option) == more.end()) words.insert(words.end(), {option, value});
     };
     otherwise("--size", "800x600");
-    otherwise("--exit-after", std::to_string(static_cast<int>(60 * patience)));
+    // It outlives any wait, which counts the processor time that the window had.
+    otherwise("--exit-after", std::to_string(static_cast<int>(600 * patience)));
     if (const auto none = std::find(more.begin(), more.end(), ""); none != more.end())
         more.erase(std::prev(none), std::next(none));
     words.insert(words.end(), more.begin(), more.end());

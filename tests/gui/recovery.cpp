@@ -64,7 +64,7 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
     // Another edit, or the same, is another try.
     save("paint.frag", paint("uPaint.grb "));
     EXPECT_TRUE(shows(green));
-    EXPECT_EQ(state()["errors"], 0);
+    EXPECT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0; }));
 }
 
 TEST_F(Recovery, WhatWasNotDoneIsSaidAfterALoss) {

@@ -115,7 +115,7 @@ TEST_F(SlowPictures, OfATypedValueBeginCoarseAndQuickOnesDoNot) {
 
 TEST_F(SlowPictures, MoveCoarseAndAreSharpWhenTheyStand) {
     save("paint.frag", shader("int(uRounds)", "uPhase + uTime"));
-    open("slow.glib", {"--no-specialise", "--exit-after", "60"});
+    open("slow.glib", {"--no-specialise"});
     EXPECT_TRUE(wait([](const json& s) { return s["frames"] > 6; }));
     const auto [all, coarse] = drawn();
     EXPECT_EQ(all, coarse);
@@ -185,7 +185,7 @@ TEST_F(SlowPictures, AreOfOneMomentWhileASequenceIsSaved) {
          "Ortho -1 1 -1 1\nTexture2D 5 16 16\nRenderToTexture 5\nVertex paint.vert\nFragment time.frag\nProgram Time\n"
          "QuadXY 0. 9.\nRenderToTexture\nFragment paint.frag\nProgram Paint uMap 5 uRounds <1. 2500. 3000.>\n"
          "QuadXY 0. 9.\n");
-    open("slow.glib", {"--no-specialise", "--exit-after", "60"});
+    open("slow.glib", {"--no-specialise"});
     user("key space");
     settle();
     EXPECT_EQ(state()["grain"], 0);
@@ -248,16 +248,16 @@ TEST_F(SlowPictures, AreMeasuredWithFewerPixels) {
     open("slow.glib", {"--no-specialise"});
     EXPECT_FALSE(state()["widgets"].contains("accuracy.reduced"));
     user("key a");
-    EXPECT_TRUE(wait(
+    ASSERT_TRUE(wait(
         [](const json& s) { return s.contains("accuracy") && s["accuracy"]["samples"] == s["accuracy"]["wanted"]; }));
-    EXPECT_NEAR(state()["accuracy"]["error"].get<double>(), std::sqrt(.5 / 3), .02)
+    EXPECT_NEAR(state()["accuracy"]["error"].get<double>(), std::sqrt(.5 / 3), .04)
         << "stripes stay as wide as they are";
     EXPECT_TRUE(state()["widgets"].contains("accuracy.reduced")) << "and that is said";
     user("key a");
     click("tools");
     click("frame cost");
     click("frame cost.measure");
-    EXPECT_TRUE(wait([](const json& s) { return s.contains("frame_cost") && !s["frame_cost"]["apart"].empty(); }));
+    ASSERT_TRUE(wait([](const json& s) { return s.contains("frame_cost") && !s["frame_cost"]["apart"].empty(); }));
     const json now = state();
     double all = 0;
     for (const json& cost : now["frame_cost"]["apart"]) all += cost["draw"] ? 0 : cost["milliseconds"].get<double>();
@@ -283,7 +283,7 @@ TEST_F(SlowPictures, OfTheReferenceAloneHaveFewerPixelsThere) {
     open("slow.glib", {"--no-specialise"});
     EXPECT_EQ(state()["coarse"], 0);
     user("key a");
-    EXPECT_TRUE(wait(
+    ASSERT_TRUE(wait(
         [](const json& s) { return s.contains("accuracy") && s["accuracy"]["samples"] == s["accuracy"]["wanted"]; }));
     EXPECT_TRUE(state()["widgets"].contains("accuracy.reduced"));
     EXPECT_NEAR(state()["accuracy"]["error"].get<double>(), std::sqrt(1 / 3.), 1e-3);
