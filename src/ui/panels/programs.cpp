@@ -122,7 +122,8 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
     if (!motion) return;
     label("there and back in");
     double period = motion->period;
-    if (number("##period", period, ValueType::float_, default_period, 4 * ImGui::GetFontSize()))
+    if (number("##period", period, ValueType::float_, default_period, 4 * ImGui::GetFontSize(),
+               {shortest_period, longest_period}))
         set_period(*motion, period, memory.clock.time);
     section.layout.note(control.name, "period");
     ImGui::SameLine();
