@@ -567,15 +567,21 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     EXPECT_TRUE(has("failure.reload"));
     failures.add({"false ended with status 1", Remedy::editor, {"/a.frag", 1, 1}});
     failures.add({"cannot read b.glib", Remedy::open, {"/b.glib", 1, 1}});
-    failures.add({"a.html is not saved: a.glib:3:1: error"});
+    failures.add({"b.html is not saved: a.glib:3:1: error", Remedy::page});
+    failures.add({"a.html is not saved: a.glib:3:1: error", Remedy::page});
     EXPECT_TRUE(has("failure 3.ok"));
     EXPECT_FALSE(has("failure 4.ok")) << "it is only counted";
     click(place("failure.ok"));
     EXPECT_TRUE(has("failure 3.reload")) << "until there is room for it";
-    failures.add({"a.html is not saved: a.glib:3:1: error"});
+    failures.add({"a.html is not saved: a.glib:3:1: error", Remedy::page});
     failures.enter("/b.glib");
     ASSERT_EQ(failures.open.size(), 2U) << "another scene was opened";
     EXPECT_EQ(failures.open[0].remedy, Remedy::editor);
+    failures.add({"saved twice", Remedy::page});
+    ASSERT_EQ(failures.open.size(), 2U) << "one page at most is not saved";
+    failures.done(Remedy::page);
+    ASSERT_EQ(failures.open.size(), 1U);
+    failures.add({"a.html is not saved: a.glib:3:1: error", Remedy::page});
     failures.done(Remedy::editor);
     ASSERT_EQ(failures.open.size(), 1U);
     // What would say the same is said once.
