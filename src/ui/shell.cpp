@@ -196,13 +196,12 @@ void snapshot_menu(int number, bool there, const std::string& name, Requests& re
 
 void snapshot_row(const Facts& facts, Requests& requests, Layout& layout) {
     const float gap = close_together * ImGui::GetFontSize();
-    const float all = snapshot_count * (button_width("9") + gap);
-    const bool named =
-        width_of("Snapshots") + ImGui::GetStyle().ItemSpacing.x + all <= ImGui::GetContentRegionAvail().x;
-    if (named) label("Snapshots");
+    ImGui::AlignTextToFramePadding();
+    fitted("Snapshots", ImGui::GetContentRegionAvail().x);
+    layout.note("snapshots");
     for (int number = 1; number <= snapshot_count; ++number) {
         const bool there = facts.snapshots[static_cast<std::size_t>(number)];
-        if (number > 1) follow(button_width("9"), gap);
+        follow(button_width("9"), number > 1 ? gap : -1);
         ImGui::PushID(number);
         if (!there) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
         if (or_keys(ImGui::Button(fmt::format("{}", number).c_str()))) {
