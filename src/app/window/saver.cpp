@@ -183,8 +183,9 @@ std::string line_with(std::string_view output, std::string_view text) {
 
 // The first error of the output, and what helps against it.
 std::string error_of(std::string_view output) {
-    constexpr std::string_view error = "error: ", help = "\n   help: ";
+    constexpr std::string_view error = "error: ", own = "snell: error: ", help = "\n   help: ";
     std::string text = line_with(output, error);
+    if (text.starts_with(own)) text.erase(0, own.size());
     output.remove_prefix(std::min(output.find(error), output.size()));
     output = output.substr(0, output.find(error, 1));
     if (const std::size_t at = output.find(help); at != output.npos)
