@@ -501,13 +501,13 @@ double key_of(const std::vector<content::PlotPoint>& points, const std::array<fl
     double x = at[0], y = top;
     const auto entry = [&](bool occurs, const char* words, auto&& draw_at) {
         if (!occurs) return;
-        const double width = 1.2 * em + page.width(words, em);
+        const double mark = 1.4 * em, width = mark + page.width(words, em);
         if (x > at[0] && x + width > at[0] + at[2]) {
             x = at[0];
             y += row;
         }
         draw_at(x + .5 * em, y + row / 2);
-        page.text(x + 1.2 * em, y, words, em, content::Ink::text);
+        page.text(x + mark, y, words, em, content::Ink::text);
         x += width + em;
     };
     const auto point = [&](const content::PlotPoint& one, const char* words, auto&& is) {
