@@ -150,7 +150,7 @@ bool is_typed(ImGuiID id) {
 bool refused() { return kit().remark.shown; }
 
 bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type,
-                 const Limits& limits) {
+                 const NumberLimits& limits) {
     Typing& typing = kit().typing;
     if (typing.id != id) type_number(id, value);
     typing.drawn = true;
@@ -258,7 +258,7 @@ bool number_field(const char* label, double& value, double initial, float width,
     return true;
 }
 
-bool number(const char* label, double& value, ValueType type, double initial, float width, const Limits& limits) {
+bool number(const char* label, double& value, ValueType type, double initial, float width, const NumberLimits& limits) {
     const double speed = is_whole(type) ? .1 : std::clamp(std::abs(value) * .01, 1e-3, 1e30);
     return number_field(label, value, initial, width, {.speed = speed, .type = type, .limits = limits});
 }

@@ -29,7 +29,7 @@ bool is_typed(ImGuiID id);
 // leaving the field. A text that is not a number, or one beyond the limits, keeps the field open, or leaves the value
 // as it was, and is refused in red.
 bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type,
-                 const Limits& limits = {});
+                 const NumberLimits& limits = {});
 
 // Draws a field for text, with `hint` while it is empty, as wide as ImGui::SetNextItemWidth says. It opens when Tab
 // reaches it. Returns what ImGui::InputText does.
@@ -39,7 +39,7 @@ struct NumberStyle {
     double speed = .01;  // per point of a drag, and per press of an arrow key
     ValueType type = ValueType::float_;
     int digits = 5;
-    Limits limits = {};
+    NumberLimits limits = {};
 };
 // Draws a field to type a number into, or to drag; see number().
 bool number_field(const char* label, double& value, double initial, float width, const NumberStyle& style);

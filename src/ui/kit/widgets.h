@@ -113,11 +113,12 @@ bool slider(const char* id, double& value, SliderRange& range, double initial, S
             float number_width = 0);
 
 // What a field accepts. A drag ends there.
-struct Limits {
+struct NumberLimits {
     double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
 };
 // Draws a field to type a number into, or to drag, for numbers without a range. Right-click to reset to `initial`.
-bool number(const char* id, double& value, ValueType type, double initial, float width, const Limits& limits = {});
+bool number(const char* id, double& value, ValueType type, double initial, float width,
+            const NumberLimits& limits = {});
 // True in the press that left a field whose text was refused: a button that takes the number does nothing then.
 bool refused();
 
