@@ -26,12 +26,21 @@ int Coarseness::next(bool moved, bool held, double now) {
     const auto limit = [](int grain) { return grain < quarter ? slow : blind; };
     if (now >= until_)
         grain_ = 0;
+    else if (in_vain(2))
+        grain_ = 0;
     else if (moved && cost.frames > 1 && cost.ms > limit(grain_))
-        grain_ = grain_ == 0 ? dragged_ : std::min(grain_ + 1, coarsest);
+        grain_ = grain_ > 0 ? std::min(grain_ + 1, coarsest) : in_vain(1) ? coarsest : dragged_;
     else if (moved && cost.frames > 1 && grain_ > 0 && cost.ms * finer_costs < limit(grain_ - 1))
         --grain_;
     if (grain_ > 0) dragged_ = grain_;
     return grain_;
+}
+
+bool Coarseness::in_vain(int frames) const {
+    const double sharp = costs_[0].ms;
+    return sharp > patience && std::any_of(costs_.begin() + quarter, costs_.end(), [&](const Cost& cost) {
+               return cost.frames >= frames && cost.ms > vain * sharp;
+           });
 }
 
 void Coarseness::drew(double ms) {
@@ -60,9 +69,9 @@ bool Coarseness::foresee(const std::function<double(int)>& timed, double now, do
         if (ms > growing * before && ends(ms, 1)) break;
     }
     costs_[static_cast<std::size_t>(grain)].ms = ms;
+    ++costs_[static_cast<std::size_t>(grain)].frames;
     foreseen_ = sharp(grain, ms);
     if (!lasts(most)) return false;
-    ++costs_[static_cast<std::size_t>(grain)].frames;
     grain_ = dragged_ = grain;
     until_ = now + rest;
     return true;

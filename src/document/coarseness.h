@@ -33,6 +33,7 @@ public:
     static constexpr double blind = 200;     // the same where too little would be seen in a coarser one
     static constexpr double rest = .15;      // seconds without a change, after which the picture is sharp
     static constexpr double patience = 500;  // milliseconds that a sharp picture may take without a coarse one before
+    static constexpr double vain = .7;       // of the time of a sharp one: what takes longer is not drawn instead
     static constexpr double again = .3;  // seconds between changes that are one gesture without a button: wheel, keys
 
     // Returns the index into `grains` of the next frame. `moved`: the user's input changes the picture; `held`: a mouse
@@ -63,6 +64,9 @@ private:
         int frames = 0;
         double ms = 0;  // of the last frame
     };
+    // The last one of so many small pictures took about as long as a sharp one, as where all the work is that for
+    // vertices. Only where that is long: elsewhere anything else may have taken as long.
+    bool in_vain(int frames) const;
     std::array<Cost, grains.size()> costs_{};
     double foreseen_ = 0;
     double moved_ = -1e9, until_ = -1e9;  // when the picture changed last; when it becomes sharp

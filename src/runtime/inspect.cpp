@@ -160,7 +160,9 @@ void paint_flags(std::span<const float> rgba, std::vector<std::byte>& picture) {
         const Flag flag = flag_of(rgba.subspan(at).first<4>());
         const auto gray = [&] {
             const float light = .2126F * rgba[at] + .7152F * rgba[at + 1] + .0722F * rgba[at + 2];
-            return static_cast<std::uint8_t>(110 * std::clamp(light, 0.0F, 1.0F));
+            // The root, so that dark scenes, and light that is not encoded for the display, are recognised, too.
+            constexpr float brightest = 160;
+            return static_cast<std::uint8_t>(brightest * std::sqrt(std::clamp(light, 0.0F, 1.0F)));
         };
         std::array<std::uint8_t, 3> color = color_of(flag);
         if (flag == Flag::none) color.fill(gray());

@@ -496,7 +496,8 @@ void Runtime::Impl::draw_mesh(const ReadyDraw& ready) {
     }
 }
 
-// White axes of length 1.5 with their letters, about three pixels wide, turning with the scene.
+// White axes of length 1.5 with their letters, about three pixels wide, turning with the scene. A dark edge of a pixel
+// makes them readable on white, too.
 
 namespace {
 
@@ -545,19 +546,25 @@ void Runtime::Impl::draw_axes(const Frame& frame, const Surface& surface) {
     const double aspect = static_cast<double>(surface.width) / surface.height;
     context.projection = projection_matrix(lens.camera, aspect, fitted_depth(frame)) * context.scene;
     state.forget();
-    RasterState raster;
-    raster.line_width = context.line_width = std::max(1., 3. / frame.enlarged);
-    const runtime::Variant variant{false, caps.max_line_width < 3};
+    const double width = std::max(1., 3. / frame.enlarged), edge = std::max(.5, 1. / frame.enlarged);
+    const runtime::Variant variant{false, caps.max_line_width < 5};
     auto& slot = programs[{none, variant}];
     if (!slot) slot = runtime::link_builtin(variant, caps, store.get(), counters);
     runtime::LinkedProgram& builtin = *slot;
-    state.raster(raster, true);
     state.program(builtin.program.get());
-    counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_system(builtin, context));
     state.vertex_array(axes->array.get());
-    state.color({1, 1, 1, 1});
-    runtime::draw_elements(GL_LINES, *axes, 0, axes->count);
-    ++counters.draws;
+    // The edges of all come first, and hide no line.
+    for (const bool line : {false, true}) {
+        RasterState raster;
+        raster.depth_write = line;
+        raster.line_width = context.line_width = line ? width : width + 2 * edge;
+        state.raster(raster, true);
+        counters.uniform_uploads += static_cast<std::uint64_t>(runtime::set_system(builtin, context));
+        const float white = line ? 1 : 0;
+        state.color({white, white, white, 1});
+        runtime::draw_elements(GL_LINES, *axes, 0, axes->count);
+        ++counters.draws;
+    }
 }
 
 }  // namespace snell

@@ -25,7 +25,9 @@ namespace {
 
 // Returns a label such as "Glass : uEta =     1.1000", in glman's format.
 Text label_of(const Scene& scene, const Control& control) {
-    Text text("{} : {} = ", scene.programs[control.program].name, control.name);
+    Text text(scene.programs[control.program].name);
+    if (const std::size_t earlier = earlier_of_name(scene, control.program)) text.add("#{}", earlier + 1);
+    text.add(" : {} = ", control.name);
     if (control.type == ValueType::bool_) return std::move(text.append(control.value[0] != 0 ? "true" : "false"));
     for (std::size_t i = 0; i < control.value.size(); ++i) {
         if (i > 0) text.append(", ");
@@ -194,13 +196,12 @@ void snapshot_menu(int number, bool there, const std::string& name, Requests& re
 
 void snapshot_row(const Facts& facts, Requests& requests, Layout& layout) {
     const float gap = close_together * ImGui::GetFontSize();
-    const float all = snapshot_count * (button_width("9") + gap);
-    const bool named =
-        width_of("Snapshots") + ImGui::GetStyle().ItemSpacing.x + all <= ImGui::GetContentRegionAvail().x;
-    if (named) label("Snapshots");
+    ImGui::AlignTextToFramePadding();
+    fitted("Snapshots", ImGui::GetContentRegionAvail().x);
+    layout.note("snapshots");
     for (int number = 1; number <= snapshot_count; ++number) {
         const bool there = facts.snapshots[static_cast<std::size_t>(number)];
-        if (number > 1) follow(button_width("9"), gap);
+        follow(button_width("9"), number > 1 ? gap : -1);
         ImGui::PushID(number);
         if (!there) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
         if (or_keys(ImGui::Button(fmt::format("{}", number).c_str()))) {

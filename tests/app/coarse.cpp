@@ -20,7 +20,7 @@ class Dragged : public ::testing::Test {
 protected:
     double cost(int grain) const {
         const Grain& how = grains[static_cast<std::size_t>(grain)];
-        return sharp_ms * (how.samples == 1 ? .6 : 1) / (how.divide * how.divide);
+        return fixed_ms + sharp_ms * (how.samples == 1 ? .6 : 1) / (how.divide * how.divide);
     }
     // Draws a frame if `next` asks for another one than the last; returns its grain.
     int step(bool moved, bool held = true) {
@@ -32,17 +32,17 @@ protected:
         }
         return grain;
     }
-    // Looks ahead from nothing; returns true if the next picture is coarse.
-    bool foresees() {
+    // Looks ahead; returns true if the next picture is coarse. `most` is that of foresee().
+    bool foresees(double most = std::numeric_limits<double>::infinity()) {
         coarseness.next(true, false, now);
         double spent = 0;
         const bool coarse = coarseness.foresee(
             [&](int grain) {
-                const double ms = cost(grain) + fixed_ms + std::exchange(compiler_ms, 0);
+                const double ms = cost(grain) + std::exchange(compiler_ms, 0);
                 spent += ms / 1e3;
                 return ms;
             },
-            now);
+            now, most);
         now += spent;
         return coarse;
     }
@@ -157,6 +157,37 @@ TEST_F(Dragged, LookingAheadIsQuickHoweverLongASharpPictureTakes) {
                 const bool told = coarse && ms > 1000 && vertices < 40;
                 EXPECT_TRUE(!told || coarseness.foreseen() < ms + 300 * vertices);
             }
+}
+
+// Of a press on a track: the picture while it is held, if that is coarse, and the sharp one.
+TEST_F(Dragged, WhereVerticesTakeLongNothingIsCoarseOnceThatIsKnown) {
+    sharp_ms = 5;
+    for (const double vertices : {600., 2000., 60000.}) {
+        coarseness = {};
+        fixed_ms = vertices;
+        opened();
+        EXPECT_FALSE(foresees(4 * (sharp_ms + vertices))) << "in vain";
+        for (int press = 0; press < 5; ++press) {
+            now += 1;
+            EXPECT_EQ(step(true), press == 0 ? coarsest : 0) << "a second time, in which no compiler is at work";
+            coarseness.released();
+            EXPECT_EQ(step(false), 0);
+        }
+        sharp_ms = 10 * vertices;
+        for (int i = 0; i < 5; ++i) step(true);
+        EXPECT_GT(last, 0) << "now it is the pixels that take long";
+        sharp_ms = 5;
+    }
+    // The compiler alone.
+    coarseness = {};
+    fixed_ms = 0;
+    sharp_ms = 900;
+    opened();
+    compiler_ms = 900;
+    EXPECT_FALSE(foresees(4 * 900));
+    for (int i = 0; i < 4; ++i) step(true);
+    EXPECT_GT(last, 0);
+    EXPECT_LT(cost(last), 200);
 }
 
 TEST_F(Dragged, TheFirstPictureOfAGrainMayCompile) {

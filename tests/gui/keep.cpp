@@ -314,6 +314,25 @@ TEST_F(SavedPage, HoldsTheCurrentValues) {
     EXPECT_TRUE(alive());
 }
 
+TEST_F(SavedPage, WithoutThePagesPartTheWayOutIsNamedUntilAPageIsSaved) {
+    const std::string part = bytes("page.html");
+    std::filesystem::remove(file("page.html"));
+    open("scene.glib", {"--size", "640x480"});
+    save_page();
+    ASSERT_TRUE(says("scene.html is not saved: ")) << state();
+    EXPECT_NE(state()["failure"].get<std::string>().find("'./dev web' in the folder of snell's sources builds it"),
+              std::string::npos)
+        << state()["failure"];
+    save("page.html", part);
+    choose("save", "page");
+    EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("save page folder"); }));
+    user("type --delay 20 other");  // in place of the whole name
+    user("key Return");
+    ASSERT_TRUE(says("saved other.html: ")) << state()["notice"];
+    EXPECT_EQ(state()["failure"], "") << "over the next success";
+    EXPECT_TRUE(alive());
+}
+
 TEST_F(SavedPage, WhatBrowsersLackIsSaid) {
     save("paint.frag",
          "#version 400 compatibility\nuniform float uRed;\nuniform samplerBuffer uList;\n"

@@ -171,6 +171,12 @@ TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
     settle();
     expect({slid, .4, .5}, {.2, .4, .5}, "after a broken edit, both as they were");
     EXPECT_TRUE(label(1).starts_with("as saved: 0.2, last good picture: ")) << label(1);
+    EXPECT_TRUE(label(0).starts_with("now: uRed " + fmt::format("{:.4g}", slid) + ", last good picture: ")) << label(0);
+    user("key s");
+    settle();
+    EXPECT_TRUE(state()["widgets"].contains("status.stale")) << "so does the line below a single picture";
+    user("key s");
+    settle();
     choose_state("right", "TINT=dark");
     right_is_blank("a rung that could never be made");
     EXPECT_TRUE(label(1).starts_with("TINT=dark: ")) << label(1);

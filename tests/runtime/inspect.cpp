@@ -113,7 +113,28 @@ TEST_F(Inspect, PixelsAreCountedByWhatIsWorstAboutThem) {
     EXPECT_EQ(painted(13), color_of(Flag::negative));
     EXPECT_EQ(painted(11), color_of(Flag::above_one));
     EXPECT_EQ(painted(2)[0], painted(2)[1]) << "gray";
-    EXPECT_LT(painted(2)[0], 64) << "and dim";
+    EXPECT_LT(painted(2)[0], 128) << "and dim";
+}
+
+TEST(Flags, WhatIsNotMarkedIsRecognisedAndNotTakenForAMark) {
+    const auto painted = [](float level) {
+        std::vector<std::byte> picture;
+        paint_flags(std::array{level, level, level, 1.F}, picture);
+        EXPECT_TRUE(picture[0] == picture[1] && picture[1] == picture[2]);
+        return std::to_integer<int>(picture[0]);
+    };
+    EXPECT_EQ(painted(0), 0);
+    // In dark scenes; and steps that are seen in the picture are seen here.
+    EXPECT_GT(painted(.05F), 30);
+    for (int i = 1; i < 16; ++i) {
+        const float level = static_cast<float>(i) / 16;
+        EXPECT_GE(painted(level + 1.F / 16), painted(level) + 5) << level;
+    }
+    for (const Flag flag : {Flag::nan, Flag::infinite, Flag::negative, Flag::above_one}) {
+        const auto [low, high] = std::ranges::minmax(color_of(flag));
+        EXPECT_GT(high - low, 160) << "no grey is near";
+        EXPECT_GT(high, painted(1) + 60) << "and none is as bright";
+    }
 }
 
 // A scene of perspective, depth, blending, a shader that reads gl_FragCoord, a Clear, axes: drawn as a whole and square

@@ -72,6 +72,26 @@ TEST_F(Viewed, AxesAreNoThickerInCoarsePictures) {
     EXPECT_NEAR(covered(4) / fine, 1.33, .2) << "a line has at least one pixel";
 }
 
+TEST_F(Viewed, AxesAreReadableOnAnyBackground) {
+    for (const char* background : {"0", ".5", "1"})
+        for (const int divide : {1, 2, 4}) {
+            const std::string gray = std::string(" ") + background + " " + background + " " + background;
+            auto document = open("Perspective 50\nLookAt 2 2 4 0 0 0 0 1 0\nBackground" + gray + "\nColor" + gray +
+                                 "\nQuadXY -9. .1\n");
+            Look look{512 / divide, 512 / divide};
+            look.enlarged = divide;
+            look.view.axes = true;
+            const Picture picture = draw(*document, look);
+            const double level = std::stod(background), most = picture.width * picture.height;
+            const auto other = [&](unsigned char shade) {
+                return picture.count({shade, shade, shade, 255}, 60) / most;
+            };
+            // What differs by half of all levels from the background.
+            const double seen = (level < .75 ? other(255) : 0) + (level > .25 ? other(0) : 0);
+            EXPECT_GT(seen, .004) << background << ", 1 / " << divide;
+        }
+}
+
 TEST_F(Viewed, TheOtherProjectionKeepsThePlaneOfTheOrigin) {
     auto document = open(quads);
     Look look{128, 128};

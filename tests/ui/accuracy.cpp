@@ -1,6 +1,7 @@
 // The accuracy panel and the list of costs, judged by what becomes of the input and by the colours and numbers shown.
 #include "src/ui/panels/accuracy.h"
 
+#include "parser/text/ranges.h"
 #include "src/content/image/image.h"
 #include "src/ui/panels/panels.h"
 #include "tests/ui/screen.h"
@@ -119,6 +120,37 @@ TEST_F(AccuracyPanel, TheDividerIsDraggedAndTheSceneIsNot) {
     EXPECT_NEAR(memory_.accuracy.divider, .25, .01);
     memory_.accuracy.show = AccuracyMemory::Show::picture;
     EXPECT_FALSE(has("accuracy.divider"));
+}
+
+TEST_F(AccuracyPanel, ThePlotSaysWhatItsMarksMeanAndNamesTheReference) {
+    using Standing = AccuracyPoint::Standing;
+    const auto says = [&](const std::string& words) {
+        frame();
+        return ranges::any_of(memory_.accuracy.plot.marks, [&](const content::Mark& m) { return m.text == words; });
+    };
+    open();
+    values_.points = {{.name = "f0", .rung = 0, .milliseconds = 1, .error = .05},
+                      // The other ladder is not at its last rung.
+                      {.name = "exact, both", .milliseconds = 3, .error = 0, .reference = true}};
+    EXPECT_TRUE(says("exact, both = reference"));
+    const float before = place("accuracy.plot").height;
+    EXPECT_TRUE(says("not compared, or unsure"));
+    for (const char* other : {"worth its time", "another is better", "is shown", "range of its time"})
+        EXPECT_FALSE(says(other)) << "there is none";
+    values_.points[0].standing = Standing::dominated;
+    values_.points[0].chosen = true;
+    values_.points[1].standing = Standing::front;
+    values_.points[1].low = 2;
+    values_.points[1].high = 4;
+    EXPECT_FALSE(says("not compared, or unsure"));
+    for (const char* words : {"worth its time", "another is better", "is shown", "range of its time"})
+        EXPECT_TRUE(says(words)) << words;
+    const Rect plot = place("accuracy.plot");
+    EXPECT_GT(plot.height, before) << "in two rows";
+    for (const content::Mark& mark : memory_.accuracy.plot.marks) {
+        EXPECT_LE(mark.at.x1, plot.x + plot.width) << mark.text;
+        EXPECT_LE(mark.at.y1, plot.y + plot.height) << mark.text;
+    }
 }
 
 TEST_F(AccuracyPanel, PlotsTheLadderThatWasChangedLastWhileItWasOutOfSight) {

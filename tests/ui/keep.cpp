@@ -235,6 +235,54 @@ TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
     EXPECT_FALSE(memory_.picture.open);
 }
 
+TEST_F(UiKeep, ThePictureWindowRefusesNumbersThatItCannotTake) {
+    struct Row {
+        const char *field, *text, *wrong;
+    };
+    memory_.picture.open = true;
+    memory_.picture.width = 640;
+    memory_.picture.height = 480;
+    memory_.picture.sequence = facts_.animated = true;
+    for (const Row& row : {Row{"width", "0", "not from 1 to 1000000"},
+                           {"width", "-5", "not from 1 to 1000000"},
+                           {"height", ".4", "not from 1 to 1000000"},
+                           {"height", "nan", "not a number"},
+                           {"samples", "65", "not from 1 to 64"},
+                           {"samples", "four", "not a number"},
+                           {"rate", "0", "not from 0.001 to 100000"}}) {
+        SCOPED_TRACE(row.text);
+        const auto type_it = [&] {
+            click(place(std::string("picture ") + row.field), MouseButton::left, .5, {.ctrl = true});
+            std::vector<Event> events;
+            for (const char* c = row.text; *c; ++c) events.push_back({.kind = Event::Kind::text, .text = char32_t(*c)});
+            frame(events);
+        };
+        type_it();
+        EXPECT_EQ(pressed(Key::enter).picture, PictureRequest::none);
+        EXPECT_TRUE(kit().remark.shown);
+        EXPECT_EQ(kit().remark.text, row.wrong) << "entered";
+        EXPECT_STREQ(kit().typing.text.data(), row.text) << "the text stays";
+        pressed(Key::escape);
+        for (const char* taker : {"picture save", "picture command"}) {
+            type_it();
+            EXPECT_EQ(clicked(taker).picture, PictureRequest::none) << "a press of the button only leaves the field";
+            EXPECT_TRUE(kit().remark.shown);
+            EXPECT_EQ(kit().remark.text, "'" + std::string(row.text) + "' is " + row.wrong);
+        }
+        EXPECT_EQ(memory_.picture.width, 640);
+        EXPECT_EQ(memory_.picture.height, 480);
+        EXPECT_EQ(memory_.picture.samples, 4);
+        EXPECT_EQ(memory_.picture.rate, 25);
+        EXPECT_EQ(clicked("picture save").picture, PictureRequest::save) << "the next one saves what is seen";
+    }
+    const Rect width = place("picture width");
+    frame({move(width.x + width.width / 2, width.y + width.height / 2)});
+    frame({button(true)});
+    frame({move(-1e5, width.y)});
+    frame({button(false)});
+    EXPECT_EQ(memory_.picture.width, 1) << "a drag ends at the limit";
+}
+
 TEST_F(UiKeep, APictureIsNamedWithoutAClick) {
     memory_.picture.open = true;
     has("picture file");

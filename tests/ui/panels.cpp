@@ -300,6 +300,31 @@ TEST_F(UiTest, DigitsAfterADoubleClickGoToTheFieldThatItOpens) {
     EXPECT_EQ(controls_.items[0].value[0], 2);
 }
 
+TEST_F(UiTest, ProgramsOfOneNameAreToldApartByTheirFilesAndNumbers) {
+    add_slider("uEta", .1, 1.1, 5);
+    EXPECT_TRUE(has("title.Glass"));
+    const auto stages = [&](std::size_t program, const std::string& fragment) {
+        scene_.programs[program].stages[0] = FileName{"glass.vert", {}};
+        scene_.programs[program].stages[4] = FileName{fragment, {}};
+    };
+    stages(0, "red.frag");
+    EXPECT_TRUE(has("title.Glass")) << "no other has the name";
+    for (const char* fragment : {"green.frag", "green.frag"}) {
+        add_program("Glass");
+        stages(scene_.programs.size() - 1, fragment);
+    }
+    for (const char* title : {"Glass, red.frag", "Glass#2, green.frag", "Glass#3, green.frag"})
+        EXPECT_TRUE(has(std::string("title.") + title)) << title;
+    // The first section is closed, and stays so where another program comes before it.
+    click(place("title.Glass, red.frag"));
+    EXPECT_FALSE(has("Glass.uEta"));
+    scene_.programs.insert(scene_.programs.begin(), scene_.programs[1]);
+    linked_.push_back(1);
+    controls_.items[0].program = 1;
+    EXPECT_TRUE(has("title.Glass#2, red.frag"));
+    EXPECT_FALSE(has("Glass.uEta"));
+}
+
 TEST_F(UiTest, AProgramWithoutSlidersIsAFoldedLine) {
     add_program("Water");
     add_slider("uEta", 0, .5, 1);
@@ -567,15 +592,21 @@ TEST_F(UiTest, EveryFailureStaysUntilItIsAnswered) {
     EXPECT_TRUE(has("failure.reload"));
     failures.add({"false ended with status 1", Remedy::editor, {"/a.frag", 1, 1}});
     failures.add({"cannot read b.glib", Remedy::open, {"/b.glib", 1, 1}});
-    failures.add({"a.html is not saved: a.glib:3:1: error"});
+    failures.add({"b.html is not saved: a.glib:3:1: error", Remedy::page});
+    failures.add({"a.html is not saved: a.glib:3:1: error", Remedy::page});
     EXPECT_TRUE(has("failure 3.ok"));
     EXPECT_FALSE(has("failure 4.ok")) << "it is only counted";
     click(place("failure.ok"));
     EXPECT_TRUE(has("failure 3.reload")) << "until there is room for it";
-    failures.add({"a.html is not saved: a.glib:3:1: error"});
+    failures.add({"a.html is not saved: a.glib:3:1: error", Remedy::page});
     failures.enter("/b.glib");
     ASSERT_EQ(failures.open.size(), 2U) << "another scene was opened";
     EXPECT_EQ(failures.open[0].remedy, Remedy::editor);
+    failures.add({"saved twice", Remedy::page});
+    ASSERT_EQ(failures.open.size(), 2U) << "one page at most is not saved";
+    failures.done(Remedy::page);
+    ASSERT_EQ(failures.open.size(), 1U);
+    failures.add({"a.html is not saved: a.glib:3:1: error", Remedy::page});
     failures.done(Remedy::editor);
     ASSERT_EQ(failures.open.size(), 1U);
     // What would say the same is said once.

@@ -108,6 +108,18 @@ TEST_F(SmallestWindow, WhatANoticeOffersIsSeenInTheSmallestWindow) {
     EXPECT_TRUE(requests_.save_as);
 }
 
+TEST_F(SmallestWindow, TheSnapshotsAreNamed) {
+    programs();
+    for (const float scale : {1.F, fitting_scale(3, 420)}) {
+        screen_ = {420, 320, 1, scale, Theme::light};
+        settle();
+        EXPECT_TRUE(visible("snapshots"));
+        EXPECT_EQ(place("snapshots").width, ImGui::CalcTextSize("Snapshots").x) << "whole, " << scale;
+        for (int number = 1; number <= snapshot_count; ++number)
+            EXPECT_TRUE(visible("snapshot " + std::to_string(number))) << number << ", " << scale;
+    }
+}
+
 TEST_F(SmallestWindow, NoticesWithoutRoomAreCounted) {
     for (int number = 1; number <= 3; ++number)
         memory_.failures.add({"snapshot is not stored: no space left", Failure::Remedy::store, {}, number});

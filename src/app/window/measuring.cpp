@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "parser/text/ranges.h"
+
 namespace snell {
 
 Measuring::Measuring(const std::string& scene, const gl::Caps& caps)
@@ -101,7 +103,14 @@ std::optional<int> Measuring::divider(int width, const ui::AccuracyMemory& memor
 }
 
 void Measuring::tell(ui::Facts& facts, Document* document, const Session& session, const ui::Memory& memory) {
-    facts.states = document ? states_.facts(*document, session.earlier(), facts.snapshots, found_text()) : nullptr;
+    std::string stale;
+    if (session.stale()) {
+        const auto error = ranges::find(session.problems(), Severity::error,
+                                        [](const ui::Problem& problem) { return problem.finding.severity; });
+        stale = error != session.problems().end() ? error->finding.message : "the files have changed";
+    }
+    facts.states =
+        document ? states_.facts(*document, session.earlier(), facts.snapshots, stale, found_text()) : nullptr;
     facts.accuracy = accuracy_.facts(memory.accuracy);
     facts.found = document && memory.accuracy.open ? found_.facts() : nullptr;
     facts.frame_cost = frame_costs_.facts(document, measured_);

@@ -174,11 +174,23 @@ namespace {
 constexpr std::size_t most_output = 1 << 20;  // bytes
 
 // The first line of the output with this text; "" if there is none.
-std::string line_with(const std::string& output, std::string_view text) {
+std::string line_with(std::string_view output, std::string_view text) {
     const std::size_t found = output.find(text);
     if (found == output.npos) return {};
     const std::size_t at = found == 0 ? 0 : output.rfind('\n', found) + 1;  // npos + 1 is 0
     return utf8::printable(output.substr(at, output.find('\n', at) - at));
+}
+
+// The first error of the output, and what helps against it.
+std::string error_of(std::string_view output) {
+    constexpr std::string_view error = "error: ", own = "snell: error: ", help = "\n   help: ";
+    std::string text = line_with(output, error);
+    if (text.starts_with(own)) text.erase(0, own.size());
+    output.remove_prefix(std::min(output.find(error), output.size()));
+    output = output.substr(0, output.find(error, 1));
+    if (const std::size_t at = output.find(help); at != output.npos)
+        text += "\nHelp: " + line_with(output.substr(at + help.size()), "");
+    return text;
 }
 
 }  // namespace
@@ -203,7 +215,7 @@ std::string PageMaker::look() {
     if (!ended) return {};
     const std::string& said = ended->output;
     const std::string name = utf8::printable(std::filesystem::path(page_).filename().string());
-    if (ended->status != 0) return fmt::format("{} is not saved: {}", name, line_with(said, "error: "));
+    if (ended->status != 0) return fmt::format("{} is not saved: {}", name, error_of(said));
     const std::string line = line_with(said, " redistributes ");
     const std::size_t told = line.find(name);
     return "saved " +

@@ -95,7 +95,10 @@ bool Workspace::look(const View& view, ui::Memory& memory) {
     const bool saved = !said.empty();
     // The reason is longer than the status line, and comes when the user may be at something else.
     const bool failed = said.find(" is not saved: ") != said.npos;
-    if (failed) memory.failures.add({said});
+    if (failed)
+        memory.failures.add({said, ui::Failure::Remedy::page});
+    else if (saved)
+        memory.failures.done(ui::Failure::Remedy::page);
     if (saved) memory.notice = failed ? "" : std::move(said);
     return opener_.look(memory) || saved;
 }
@@ -207,9 +210,7 @@ void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::M
         pages_.busy() ? "another page is being saved" : pages_.start(page, page_arguments(*document(), view));
     if (!dialog.error.empty()) return;
     dialog.open = false;
-    // Those of this page, which is saved once more.
-    const std::string refused = dialog.existing + " is not saved: ";
-    std::erase_if(memory.failures.open, [&](const ui::Failure& other) { return other.text.starts_with(refused); });
+    memory.failures.done(ui::Failure::Remedy::page);
     memory.notice = fmt::format("saving {}\u2026", dialog.existing);
 }
 

@@ -131,6 +131,9 @@ constexpr double label_width = 13, near = .95;  // in ems
 constexpr double small = .875;                  // text of names that take several lines
 constexpr std::size_t most_label_lines = 2;
 
+constexpr double radius = .375, bar_end = .8 * radius, halo = .1;  // of points, in ems
+
+Ink ink_of(const PlotPoint& p) { return p.ink ? *p.ink : p.own ? Ink::own : p.front ? Ink::front : Ink::other; }
 bool has_bar(const PlotPoint& p) { return p.has_interval() && p.low < p.high; }
 // It has a place on the axis of errors.
 bool ranked(const PlotPoint& p) { return p.error > 0 && std::isfinite(p.error); }
@@ -262,28 +265,16 @@ private:
             {std::min(x0, x1) - room, std::min(y0, y1) - room, std::max(x0, x1) + room, std::max(y0, y1) + room});
     }
 
-    static Ink ink(const PlotPoint& p) { return p.ink ? *p.ink : p.own ? Ink::own : p.front ? Ink::front : Ink::other; }
-
     void bar(const PlotPoint& p) {
         if (!has_bar(p)) return;
-        const double x0 = x_.at(p.low), x1 = x_.at(p.high), y = y_of(p), end = .8 * radius_, stroke = .16 * em_;
-        page_.line(x0, y, x1, y, stroke, ink(p));
-        page_.line(x0, y - end, x0, y + end, stroke, ink(p));
-        page_.line(x1, y - end, x1, y + end, stroke, ink(p));
-        taken_.push_back({x0 - radius_, y - end, x1 + radius_, y + end});
+        const double x0 = x_.at(p.low), x1 = x_.at(p.high), y = y_of(p);
+        draw_bar(page_, p, x0, x1, y, em_);
+        taken_.push_back({x0 - radius_, y - bar_end * em_, x1 + radius_, y + bar_end * em_});
     }
 
     void mark(const PlotPoint& p) {
-        const double x = x_of(p), y = y_of(p), halo = .1 * em_;
-        const bool strong = p.ink || p.front || p.own;
-        const double size = (strong ? 1.1 : .8) * radius_;
-        page_.dot(x, y, size + halo, p.own, 0, Ink::paper);
-        if (p.chosen) page_.dot(x, y, size + 2 * halo, p.own, halo, Ink::text);
-        if (p.beaten && !p.ink && !p.own)
-            page_.dot(x, y, size - halo / 2, p.own, .12 * em_, ink(p), p.tip);
-        else
-            page_.dot(x, y, size, p.own, 0, ink(p), p.tip);
-        taken_.push_back({x - size - halo, y - size - halo, x + size + halo, y + size + halo});
+        const double x = x_of(p), y = y_of(p), size = draw_point(page_, p, x, y, em_);
+        taken_.push_back({x - size, y - size, x + size, y + size});
     }
 
     bool free(const Area& area) const {
@@ -347,7 +338,7 @@ private:
         const double edge = area.y0 > y ? area.y0 : area.y1;
         const Area around{std::min(x, end), std::min(y, edge), std::max(x, end), std::max(y, edge)};
         if (ranges::any_of(texts_, [&](const Area& other) { return around.meets(other); })) return false;
-        page_.line(x, y, end, edge, em_ / 11, ink(p));
+        page_.line(x, y, end, edge, em_ / 11, ink_of(p));
         return true;
     }
 
@@ -367,7 +358,7 @@ private:
     Page& page_;
     const Plot& plot_;
     Area at_;
-    double em_, row_ = line_height * em_, strip_ = 1.25 * em_, radius_ = .375 * em_;
+    double em_, row_ = line_height * em_, strip_ = 1.25 * em_, radius_ = radius * em_;
     Area frame_;
     Axis y_, x_;
     std::optional<Area> band_;
@@ -378,6 +369,25 @@ private:
 }  // namespace
 
 bool PlotPoint::has_interval() const { return low > 0 && std::isfinite(high); }
+
+double draw_point(Page& page, const PlotPoint& p, double x, double y, double em) {
+    const bool strong = p.ink || p.front || p.own;
+    const double size = (strong ? 1.1 : .8) * radius * em, around = halo * em;
+    page.dot(x, y, size + around, p.own, 0, Ink::paper);
+    if (p.chosen) page.dot(x, y, size + 2 * around, p.own, around, Ink::text);
+    if (p.beaten && !p.ink && !p.own)
+        page.dot(x, y, size - around / 2, p.own, .12 * em, ink_of(p), p.tip);
+    else
+        page.dot(x, y, size, p.own, 0, ink_of(p), p.tip);
+    return size + around;
+}
+
+void draw_bar(Page& page, const PlotPoint& p, double low, double high, double y, double em) {
+    const double end = bar_end * em, stroke = .16 * em;
+    page.line(low, y, high, y, stroke, ink_of(p));
+    page.line(low, y - end, low, y + end, stroke, ink_of(p));
+    page.line(high, y - end, high, y + end, stroke, ink_of(p));
+}
 
 std::vector<std::pair<double, double>> draw_plot(Page& page, const Plot& plot, const Area& at, double em) {
     return Drawing(page, plot, at, em).draw();

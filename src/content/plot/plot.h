@@ -115,6 +115,10 @@ struct Plot {
     double decades = 0;  // that axes span at least
 };
 
+// Draws the mark of a point alone, as in the plot, and returns its radius.
+double draw_point(Page& page, const PlotPoint& point, double x, double y, double em);
+// Draws a bar from `low` to `high`, with the colour of the point.
+void draw_bar(Page& page, const PlotPoint& point, double low, double high, double y, double em);
 // Draws it with text of this size. Returns the places of the points, whose errors and times must be known.
 std::vector<std::pair<double, double>> draw_plot(Page& page, const Plot& plot, const Area& at, double em);
 

@@ -66,7 +66,7 @@ void set_logarithmic(Animated& motion, const Control& control, bool logarithmic,
 
 void set_period(Animated& motion, double period, double time) {
     const double cycles = (time - motion.start) / motion.period;
-    motion.period = std::clamp(period, .1, 1e4);
+    motion.period = std::clamp(period, shortest_period, longest_period);
     motion.start = time - cycles * motion.period;
 }
 

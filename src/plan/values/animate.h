@@ -29,6 +29,7 @@ Animated animated_from(const Control& control, std::size_t component, double per
                        bool logarithmic = false);
 // Sets the values of this time. Motions whose control does not exist any more end.
 void animate(Controls& controls, std::vector<Animated>& animated, double time);
+inline constexpr double shortest_period = .1, longest_period = 1e4;  // seconds that may be set
 // The value of this moment stays.
 void set_period(Animated& motion, double period, double time);
 void set_logarithmic(Animated& motion, const Control& control, bool logarithmic, double time);

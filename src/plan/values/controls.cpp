@@ -472,6 +472,12 @@ bool same_uniforms(const Controls& a, const Controls& b) {
     });
 }
 
+std::size_t earlier_of_name(const Scene& scene, Index program) {
+    const auto end = scene.programs.begin() + static_cast<std::ptrdiff_t>(program);
+    return static_cast<std::size_t>(std::count_if(
+        scene.programs.begin(), end, [&](const Program& other) { return other.name == scene.programs[program].name; }));
+}
+
 std::vector<std::string> control_names(const Scene& scene, const Controls& controls) {
     std::map<std::string_view, int> count;
     std::vector<std::string> programs;

@@ -90,6 +90,8 @@ void carry_over(const Controls& from, const Scene& from_scene, Controls& to, con
 // The name without [n] and members: what shaders declare.
 inline std::string_view base_name(std::string_view uniform) { return uniform.substr(0, uniform.find_first_of(".[")); }
 
+// The number of programs before it that have its name.
+std::size_t earlier_of_name(const Scene& scene, Index program);
 // "Glass.uEta" for each control, or "Glass#2.uEta" in the second program of that name.
 std::vector<std::string> control_names(const Scene& scene, const Controls& controls);
 

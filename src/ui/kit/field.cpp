@@ -147,7 +147,10 @@ bool is_typed(ImGuiID id) {
     return focus.opens || (!ImGui::GetIO().WantTextInput && (pressed(Key::enter) || pressed(Key::keypad_enter)));
 }
 
-bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type) {
+bool refused() { return kit().remark.shown; }
+
+bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type,
+                 const NumberLimits& limits) {
     Typing& typing = kit().typing;
     if (typing.id != id) type_number(id, value);
     typing.drawn = true;
@@ -175,8 +178,12 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
     left = left || ImGui::GetActiveID() != id;
     if (!left && !tab && !enter) return false;
     const std::string_view text = typing.text.data();
-    if (const std::optional<double> entered = typed(text, type)) return apply(value, *entered);
-    const char* wrong = is_number(text) ? "out of the type's range" : "not a number";
+    const std::optional<double> entered = typed(text, type);
+    const bool fits = entered && *entered >= limits.min && *entered <= limits.max;
+    if (fits) return apply(value, *entered);
+    const std::string wrong = entered           ? fmt::format("not from {:.10g} to {:.10g}", limits.min, limits.max)
+                              : is_number(text) ? "out of the type's range"
+                                                : "not a number";
     if (tab || enter) {
         typing.fresh = true;
         typing.selected = false;
@@ -232,7 +239,7 @@ bool number_field(const char* label, double& value, double initial, float width,
     ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
     if (!ImGui::ItemAdd(box, id, &box) && !is_typed(id)) return false;
     ImGui::GetCurrentContext()->NextItemData.ClearFlags();
-    if (is_typed(id)) return typed_field(box, id, label, value, style.type);
+    if (is_typed(id)) return typed_field(box, id, label, value, style.type, style.limits);
 
     bool hovered = false, held = false;
     const bool clicked = ImGui::ButtonBehavior(box, id, &hovered, &held);
@@ -244,15 +251,16 @@ bool number_field(const char* label, double& value, double initial, float width,
     draw_number(box, value, style, hovered, held);
     draw_focus(box, id);
     if (edited == value) return false;
+    edited = std::clamp(edited, style.limits.min, style.limits.max);
     const std::optional<double> valid = fitting(edited, style.type);
     if (!valid || *valid == value) return false;
     value = *valid;
     return true;
 }
 
-bool number(const char* label, double& value, ValueType type, double initial, float width) {
+bool number(const char* label, double& value, ValueType type, double initial, float width, const NumberLimits& limits) {
     const double speed = is_whole(type) ? .1 : std::clamp(std::abs(value) * .01, 1e-3, 1e30);
-    return number_field(label, value, initial, width, {speed, type});
+    return number_field(label, value, initial, width, {.speed = speed, .type = type, .limits = limits});
 }
 
 }  // namespace snell::ui

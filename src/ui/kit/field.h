@@ -8,6 +8,7 @@
 
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/kit.h"
+#include "src/ui/kit/widgets.h"
 
 namespace snell::ui {
 
@@ -25,8 +26,10 @@ double key_steps(ImGuiID id);
 void type_number(ImGuiID id, double value);
 bool is_typed(ImGuiID id);
 // Draws the field in place of the widget. Returns true if the user entered another number: with Enter, with Tab, or by
-// leaving the field. A text that is not a number keeps the field open, or leaves the value as it was.
-bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type);
+// leaving the field. A text that is not a number, or one beyond the limits, keeps the field open, or leaves the value
+// as it was, and is refused in red.
+bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type,
+                 const NumberLimits& limits = {});
 
 // Draws a field for text, with `hint` while it is empty, as wide as ImGui::SetNextItemWidth says. It opens when Tab
 // reaches it. Returns what ImGui::InputText does.
@@ -36,6 +39,7 @@ struct NumberStyle {
     double speed = .01;  // per point of a drag, and per press of an arrow key
     ValueType type = ValueType::float_;
     int digits = 5;
+    NumberLimits limits = {};
 };
 // Draws a field to type a number into, or to drag; see number().
 bool number_field(const char* label, double& value, double initial, float width, const NumberStyle& style);

@@ -1,6 +1,7 @@
 #include "src/ui/kit/kit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -158,7 +159,8 @@ const Palette& palette() { return *kit().palette; }
 void begin_kit() {
     close_popups();
     if (newly_down(Key::escape) && !ImGui::GetIO().WantTextInput) kit().focus.at = 0;
-    if (newly_clicked() || newly_down(Key::escape)) kit().remark.shown = false;
+    const std::array enders{Key::escape, Key::enter, Key::keypad_enter, Key::space};
+    if (newly_clicked() || ranges::any_of(enders, newly_down)) kit().remark.shown = false;
 }
 
 void end_kit() {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -111,8 +112,15 @@ struct SliderMemory {
 bool slider(const char* id, double& value, SliderRange& range, double initial, SliderMemory& memory,
             float number_width = 0);
 
+// What a field accepts. A drag ends there.
+struct NumberLimits {
+    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
+};
 // Draws a field to type a number into, or to drag, for numbers without a range. Right-click to reset to `initial`.
-bool number(const char* id, double& value, ValueType type, double initial, float width);
+bool number(const char* id, double& value, ValueType type, double initial, float width,
+            const NumberLimits& limits = {});
+// True in the press that left a field whose text was refused: a button that takes the number does nothing then.
+bool refused();
 
 // Draws a colour; `components` is 3 or 4: red, green, blue, alpha. Values outside of 0..1 are allowed. Picked colours
 // are rounded to what a byte can tell apart; typed numbers are not.

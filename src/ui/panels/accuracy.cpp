@@ -491,11 +491,42 @@ content::PlotPoint plotted(const AccuracyPoint& point) {
             .front = point.standing == Standing::front,
             .beaten = point.standing == Standing::dominated || point.standing == Standing::saves_none,
             .chosen = point.chosen,
-            .label = point.rung ? std::optional(0) : std::nullopt};
+            .label = point.rung || point.reference ? std::optional(0) : std::nullopt};
+}
+
+// What the marks of these points mean, in rows from that height on. Returns where they end.
+double key_of(const std::vector<content::PlotPoint>& points, const std::array<float, 3>& at, double top, double em,
+              content::Page& page) {
+    const double row = content::line_height * em;
+    double x = at[0], y = top;
+    const auto entry = [&](bool occurs, const char* words, auto&& draw_at) {
+        if (!occurs) return;
+        const double mark = 1.4 * em, width = mark + page.width(words, em);
+        if (x > at[0] && x + width > at[0] + at[2]) {
+            x = at[0];
+            y += row;
+        }
+        draw_at(x + .5 * em, y + row / 2);
+        page.text(x + mark, y, words, em, content::Ink::text);
+        x += width + em;
+    };
+    const auto point = [&](const content::PlotPoint& one, const char* words, auto&& is) {
+        entry(ranges::any_of(points, is), words,
+              [&](double left, double middle) { draw_point(page, one, left, middle, em); });
+    };
+    using P = content::PlotPoint;
+    point({.front = true}, "worth its time", [](const P& p) { return p.front; });
+    point({.beaten = true}, "another is better", [](const P& p) { return p.beaten; });
+    point({}, "not compared, or unsure", [](const P& p) { return !p.front && !p.beaten; });
+    point({.chosen = true}, "is shown", [](const P& p) { return p.chosen; });
+    const auto timed = ranges::find_if(points, [](const P& p) { return p.low > 0 && p.low < p.high; });
+    entry(timed != points.end(), "range of its time",
+          [&](double left, double middle) { draw_bar(page, *timed, left - .5 * em, left + .5 * em, middle, em); });
+    return points.empty() ? top : y + row;
 }
 
 void draw(const std::vector<AccuracyPoint>& points, std::array<float, 3> at, float em, AccuracyPlot& drawn) {
-    drawn = {.points = points, .at = at, .letters = em, .marks = {}, .shown = {}, .places = {}};
+    drawn = {.points = points, .at = at, .letters = em, .height = 0, .marks = {}, .shown = {}, .places = {}};
     content::Plot plot{.points = {}, .errors = "error (1 is white)", .times = "ms/sample", .decades = .5};
     for (std::size_t i = 0; i < points.size(); ++i)
         if (points[i].milliseconds > 0 && !std::isnan(points[i].error)) {  // an error that is unknown has no place
@@ -507,6 +538,7 @@ void draw(const std::vector<AccuracyPoint>& points, std::array<float, 3> at, flo
             ImGui::GetFont()->CalcTextSizeA(static_cast<float>(letters), FLT_MAX, 0, text.c_str()).x);
     });
     drawn.places = draw_plot(page, plot, {at[0], at[1], at[0] + at[2] - .2F * em, at[1] + 12 * em}, em);
+    drawn.height = static_cast<float>(key_of(plot.points, at, at[1] + 12.2 * em, em, page)) - at[1];
     drawn.marks = std::move(page.marks);
 }
 
@@ -515,10 +547,10 @@ void draw(const std::vector<AccuracyPoint>& points, std::array<float, 3> at, flo
 void accuracy_plot(const std::vector<AccuracyPoint>& points, AccuracyPlot& plot, Layout& layout) {
     const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("##plot", {width, 12 * em});
-    layout.note("accuracy.plot");
     const std::array at{corner.x, corner.y, width};
     if (plot.marks.empty() || plot.at != at || plot.letters != em || plot.points != points) draw(points, at, em, plot);
+    ImGui::InvisibleButton("##plot", {width, plot.height});
+    layout.note("accuracy.plot");
     for (const Mark& mark : plot.marks) paint(*ImGui::GetWindowDrawList(), mark);
     if (!ImGui::IsItemHovered()) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -57,6 +57,7 @@ struct AccuracyPlot {
     std::vector<AccuracyPoint> points;
     std::array<float, 3> at{};  // of its left upper corner, and its width
     float letters = 0;          // the size of the font
+    float height = 0;
     std::vector<content::Mark> marks;
     std::vector<std::size_t> shown;                 // indices of those points that have a place
     std::vector<std::pair<double, double>> places;  // of these

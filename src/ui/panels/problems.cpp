@@ -286,7 +286,8 @@ bool same(const Failure& a, const Failure& b) {
     if (of_saving(a.remedy) && of_saving(b.remedy)) return true;
     if (a.remedy != b.remedy) return a.text == b.text && a.snapshot == b.snapshot;
     if (a.remedy == Remedy::none || a.remedy == Remedy::editor) return a.text == b.text;
-    return a.remedy == Remedy::absent || (a.place.file == b.place.file && a.snapshot == b.snapshot);
+    return a.remedy == Remedy::absent || a.remedy == Remedy::page ||
+           (a.place.file == b.place.file && a.snapshot == b.snapshot);
 }
 
 // What the user can do about it, as buttons. Returns true if one was pressed. `name` is that of the failure.
@@ -400,7 +401,7 @@ void Failures::rewrite(const std::function<std::string(const std::string& text)>
 void Failures::enter(const std::string& other) {
     std::erase_if(open, [](const Failure& failure) { return failure.remedy == Remedy::open; });
     const auto of_scene = std::stable_partition(open.begin(), open.end(), [](const Failure& failure) {
-        return failure.remedy == Remedy::none || failure.remedy == Remedy::editor;
+        return failure.remedy == Remedy::none || failure.remedy == Remedy::page || failure.remedy == Remedy::editor;
     });
     left[scene].assign(of_scene, open.end());
     open.erase(of_scene, open.end());

@@ -7,6 +7,8 @@
 #include <cfloat>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -122,7 +124,8 @@ void animate_rows(Control& control, std::size_t component, const Section& sectio
     if (!motion) return;
     label("there and back in");
     double period = motion->period;
-    if (number("##period", period, ValueType::float_, default_period, 4 * ImGui::GetFontSize()))
+    if (number("##period", period, ValueType::float_, default_period, 4 * ImGui::GetFontSize(),
+               {shortest_period, longest_period}))
         set_period(*motion, period, memory.clock.time);
     section.layout.note(control.name, "period");
     ImGui::SameLine();
@@ -451,26 +454,47 @@ void reset_button(Controls& controls, Index program, const Section& section, flo
     section.layout.note(section.program.name, "reset");
 }
 
+bool same_file(const std::optional<FileName>& a, const std::optional<FileName>& b) {
+    return a && b ? a->name == b->name : a.has_value() == b.has_value();
+}
+
+// The files of a program that others of its name lack, such as ", red.frag"; empty if no other has its name.
+std::string own_files(const Scene& scene, const Program& program) {
+    std::string files;
+    for (std::size_t stage = 0; stage < program.stages.size(); ++stage)
+        if (const auto& file = program.stages[stage]; file && ranges::any_of(scene.programs, [&](const Program& other) {
+                                                          return other.name == program.name &&
+                                                                 !same_file(other.stages[stage], file);
+                                                      }))
+            files += ", " + file->name;
+    return files;
+}
+
 // Draws the title; returns whether the section is open. While a filter is set, sections are open for themselves.
-bool header(Controls& controls, Index index, const Section& section, bool open_at_first, bool unfolds) {
+bool header(Controls& controls, Index index, const Section& section, std::string_view files, bool open_at_first,
+            bool unfolds) {
     const bool filtered = section.memory.filter[0] != '\0';
     if (open_at_first || filtered || unfolds) ImGui::SetNextItemOpen(true, unfolds ? ImGuiCond_Always : ImGuiCond_Once);
     const std::string& name = section.program.name;
     const auto moved = [](const Control& c) { return c.value != c.initial; };
     const auto moving = [&](const Animated& motion) { return motion.program == index; };
     const bool resets = any(controls, index, moved) || ranges::any_of(section.memory.animated, moving);
-    const std::string_view wanted = name.empty() ? std::string_view("Program") : name;
+    Text wanted(name.empty() ? std::string_view("Program") : name);
+    // As in `snell render --set`.
+    if (const std::size_t earlier = earlier_of_name(*section.facts.scene, index)) wanted.add("#{}", earlier + 1);
+    wanted.append(files);
     // The title has what the button leaves, which is there only where something can be reset.
     const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight();
-    const char* const text = width_of(wanted) + button_width("Reset all") <= room ? "Reset all" : "Reset";
+    const char* const text = width_of(wanted.view()) + button_width("Reset all") <= room ? "Reset all" : "Reset";
     const float button = resets ? button_width(text) : 0;
     const float right = ImGui::GetContentRegionMax().x - button - ImGui::GetStyle().FramePadding.x * .5F;
-    Text title = shortened(wanted, room - button);
-    const bool whole = title == wanted;
+    Text title = shortened(wanted.view(), room - button);
+    const bool whole = title == wanted.view();
     const bool open =
         ui::header(title.append(filtered ? "###found" : "###program").c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
-    if (!whole) tip(name);
+    if (!whole) tip(wanted.view());
     section.layout.note(name);
+    section.layout.note("title", wanted.view());
     keep_in_view(open);
     if (resets) reset_button(controls, index, section, right, text);
     return open;
@@ -484,14 +508,17 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
     const bool filtered = section.memory.filter[0] != '\0';
     if (filtered && !any(controls, index, kept)) return;
     show_opened();
-    // By the scene and the name, so that no other scene's section is open or closed by it; as often as it occurs.
-    const std::vector<Program>& programs = section.facts.scene->programs;
-    const auto earlier = programs.begin() + static_cast<std::ptrdiff_t>(index);
+    // By the scene and what the title says, so that no other scene's section is open or closed by it; by the number
+    // only where no file tells it, because a program that is added before changes that.
+    const Scene& scene = *section.facts.scene;
+    const std::string files = own_files(scene, section.program);
     ImGui::PushID(section.facts.files.empty() ? "" : section.facts.files[0].path.c_str());
-    ImGui::PushID(section.program.name.c_str());
+    ImGui::PushID((section.program.name + files).c_str());
     ImGui::PushID(static_cast<int>(std::count_if(
-        programs.begin(), earlier, [&](const Program& program) { return program.name == section.program.name; })));
-    if (header(controls, index, section, open_at_first, unfolds)) {
+        scene.programs.begin(), scene.programs.begin() + static_cast<std::ptrdiff_t>(index), [&](const Program& other) {
+            return other.name == section.program.name && ranges::equal(other.stages, section.program.stages, same_file);
+        })));
+    if (header(controls, index, section, files, open_at_first, unfolds)) {
         const ImGuiStyle& style = ImGui::GetStyle();
         const float indent = style.FramePadding.x * .5F;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, std::round(style.ItemSpacing.y * .8F)});

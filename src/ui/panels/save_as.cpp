@@ -137,8 +137,8 @@ void row(const char* name, const char* help = nullptr) {
 }
 
 void whole(const char* id, double& value, double initial, Layout& layout, const char* name, double most) {
-    number(id, value, ValueType::int_, initial, std::min(5 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x));
-    value = std::clamp(std::round(value), 1., most);
+    number(id, value, ValueType::int_, initial, std::min(5 * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x),
+           {1, most});
     layout.note(name);
 }
 
@@ -180,8 +180,7 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
     number("##to", picture.to, ValueType::float_, 10, field);
     layout.note("picture to");
     row("Per second");
-    number("##rate", picture.rate, ValueType::float_, 25, field);
-    picture.rate = std::clamp(picture.rate, 1e-3, 1e5);
+    number("##rate", picture.rate, ValueType::float_, 25, field, {1e-3, 1e5});
     layout.note("picture rate");
     const int count = picture_count(picture);
     const std::string told =
@@ -193,11 +192,12 @@ void sequence_rows(PictureMemory& picture, Layout& layout) {
 
 void answers(PictureMemory& picture, bool moves, bool entered, Requests& requests, Layout& layout) {
     questions(picture, "picture", layout);
-    if (button("Copy command", layout, "picture command")) requests.picture = PictureRequest::command;
+    if (button("Copy command", layout, "picture command") && !refused()) requests.picture = PictureRequest::command;
     tip(moves ? "Copies the 'snell render' command, which draws animated sliders at rest"
               : "Copies the 'snell render' command that draws the same");
     follow(button_width("Cancel") + button_width("Replace") + ImGui::GetStyle().ItemSpacing.x);
-    if (answered(picture, "Save", "picture", layout) || entered) requests.picture = PictureRequest::save;
+    if ((answered(picture, "Save", "picture", layout) || entered) && !refused())
+        requests.picture = PictureRequest::save;
 }
 
 void progress_row(const PictureMemory& picture, Requests& requests, Layout& layout) {

@@ -133,9 +133,9 @@ struct Failure {
     // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
     // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
     // opens, until one does. store: the same snapshot again, with the values of then; recall: the same; both until that
-    // succeeds. absent: there is no such snapshot, until one is stored. open: another scene, with the name that was
-    // refused in the field.
-    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, absent, open };
+    // succeeds. absent: there is no such snapshot, until one is stored. page: nothing, until a page is saved. open:
+    // another scene, with the name that was refused in the field.
+    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, absent, page, open };
     std::string text;
     Remedy remedy = Remedy::none;
     Place place = {};   // where the editor was to open; the file that could not be opened

@@ -160,8 +160,7 @@ void clock_panel(const Facts& facts, Memory& memory, Layout& layout) {
     tip("Sets the time to 0");
     follow(width_of("speed") + 5 * ImGui::GetFontSize());
     label("speed");
-    number("##speed", clock.speed, ValueType::float_, 1, -FLT_MIN);
-    clock.speed = std::clamp(clock.speed, -1e3, 1e3);
+    number("##speed", clock.speed, ValueType::float_, 1, -FLT_MIN, {-1e3, 1e3});
     layout.note("speed");
 
     const double period = std::max(facts.scene->timer_period, 1e-3);

@@ -151,7 +151,7 @@ void StatesView::compare_texts(Document& scene) {
 }
 
 const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier, const std::array<bool, 10>& snapshots,
-                                        const std::string& found) {
+                                        const std::string& stale, const std::string& found) {
     if (!active_) return nullptr;
     facts_ = {};
     const auto offer = [&](std::string name) {
@@ -194,11 +194,12 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
                      : values.empty() ? shown_name(half.name)
                      : settings       ? values
                                       : shown_name(half.name) + ": " + values;
-        side.failed = !half.error.empty();
+        const std::string& error = half.document || !half.error.empty() ? half.error : stale;
+        side.failed = !error.empty();
         side.blank = !half.shows();
         if (same && i == 1) side.label += ": the same";
-        if (side.failed && !side.blank) side.label += fmt::format(", last good picture: {}", half.error);
-        if (side.failed || !(half.document ? *half.document : scene).diagnostics.has_errors()) continue;
+        if (side.failed && !side.blank) side.label += fmt::format(", last good picture: {}", error);
+        if (!half.error.empty() || !(half.document ? *half.document : scene).diagnostics.has_errors()) continue;
         side.failed = true;
         side.label = shown_name(half.name) + ": incomplete, for it has errors";
     }

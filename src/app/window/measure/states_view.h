@@ -40,10 +40,11 @@ public:
     // Another number for each pair of states that is shown; 0 if none is.
     std::uint64_t showing() const { return active_ ? showings_ : 0; }
 
-    // What is said of them. `snapshots`: which of them there are. `found`: a found rung, which is compared with the
-    // scene in place of the states. Valid until the next call.
+    // What is said of them. `snapshots`: which of them there are. `stale`: why the scene's own picture is of an earlier
+    // text; empty if it is not. `found`: a found rung, which is compared with the scene in place of the states. Valid
+    // until the next call.
     const ui::StateFacts* facts(Document& scene, const Earlier& earlier, const std::array<bool, 10>& snapshots,
-                                const std::string& found);
+                                const std::string& stale, const std::string& found);
 
 private:
     struct Half {
