@@ -86,6 +86,39 @@ TEST_F(States, AreShownSideBySideAndSlidersActOnWhatIsNow) {
     EXPECT_EQ(state()["errors"], 0);
 }
 
+TEST_F(States, OfWhichNeitherFollowsTheSlidersSayIt) {
+    user("key ctrl+1");
+    settle();
+    drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
+    user("key ctrl+2");
+    settle();
+    user("key s");
+    settle();
+    const auto said = [&] { return state()["widgets"].contains("accuracy.fixed"); };
+    choose_state("right", "snapshot 1");
+    EXPECT_FALSE(said()) << "the left side is as it is now";
+    choose_state("left", "snapshot 2");
+    EXPECT_TRUE(said());
+    choose_state("left", "TINT=dark");
+    EXPECT_FALSE(said()) << "it has the sliders' values";
+}
+
+TEST_F(States, PixelsWithoutANumberHaveAColourAndAWordOfTheirOwn) {
+    user("key s");
+    settle();
+    click("accuracy.other");
+    settle();
+    EXPECT_FALSE(state()["widgets"].contains("accuracy.no number"));
+    save("paint.frag", fragment("sqrt(-1. - uRed)"));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    settle();
+    EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("accuracy.no number"); }));
+    const Pixel pixel = scene_pixel(20, 20);
+    EXPECT_GT(pixel.blue, 200);
+    EXPECT_LT(pixel.red, 60) << "not the yellow of large differences";
+    keep("heat-no-number");
+}
+
 TEST_F(States, OfTheTextAreThereToo) {
     drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
     const double slid = state()["controls"]["Paint.uRed"][0];

@@ -243,6 +243,13 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
     EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::heat);
     EXPECT_TRUE(has("accuracy.left")) << "of the same two";
     EXPECT_TRUE(has("accuracy.legend")) << "what its colours mean";
+    EXPECT_FALSE(has("accuracy.no number")) << "there is none";
+    facts_.accuracy = &values_;
+    values_.unknown = true;
+    EXPECT_TRUE(has("accuracy.no number"));
+    EXPECT_FALSE(has("accuracy.fixed"));
+    states_.fixed = true;
+    EXPECT_TRUE(has("accuracy.fixed")) << "why no slider changes anything";
     click(place("accuracy.other"));
     EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::split);
     frame({key(Key::s, true)});

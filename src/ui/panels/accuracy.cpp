@@ -73,7 +73,7 @@ void figures(const Facts& all, Layout& layout) {
     }
 }
 
-void legend(float width) {
+void legend(const AccuracyFacts& facts, float width, Layout& layout) {
     const float height = ImGui::GetFontSize() * .6F;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -94,6 +94,14 @@ void legend(float width) {
                                    at.y + height + ImGui::GetStyle().ItemSpacing.y});
         ImGui::TextDisabled("%s", ends[i]);
     }
+    if (!facts.unknown) return;
+    const ImVec2 patch = ImGui::GetCursorScreenPos();
+    const float middle = patch.y + (ImGui::GetTextLineHeight() - height) / 2;
+    list.AddRectFilled({patch.x, middle}, {patch.x + 2 * height, middle + height},
+                       pack({no_number[0], no_number[1], no_number[2], 1}));
+    ImGui::SetCursorScreenPos({patch.x + 2.5F * height, patch.y});
+    fitted("NaN or infinite", width - 2.5F * height, true);
+    layout.note("accuracy.no number");
 }
 
 void show_buttons(AccuracyMemory& memory, Layout& layout) {
@@ -306,7 +314,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
         figures(facts, layout);
         show_buttons(memory, layout);
         if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty())
-            legend(ImGui::GetContentRegionAvail().x);
+            legend(*facts.accuracy, ImGui::GetContentRegionAvail().x, layout);
     }
     if (moves) {
         switch_box("Pause time", memory.hold_time);
@@ -368,9 +376,14 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
             ImGui::SameLine();
             state_button(states, 1, left, memory, layout);
         }
+        if (states.fixed) {
+            fitted("Both sides are fixed: sliders change neither. Choose \"now\" for one of them.",
+                   std::max((two_lines ? left : all) - 2 * pad, 1.0F), true);
+            layout.note("accuracy.fixed");
+        }
         if (memory.show == Show::heat && !two_lines) {
             ImGui::TextDisabled("Difference of light, where white is 1");
-            legend(std::max(all - 2 * pad, 1.0F));
+            legend(facts.accuracy ? *facts.accuracy : AccuracyFacts(), std::max(all - 2 * pad, 1.0F), layout);
             layout.note("accuracy.legend");
         }
     }

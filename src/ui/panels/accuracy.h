@@ -47,6 +47,7 @@ struct AccuracyFacts {
     double error = 0, psnr = 0, largest = 0;  // of the light, in the mean of `samples` pictures, if `samples` is not 0
     double of_display = 0;                    // the error of the display values
     std::size_t nonfinite = 0;                // number of pixels with NaN or infinite values
+    bool unknown = false;                     // the heat map has pixels whose difference is NaN or infinite
     std::vector<AccuracyPoint> points;
     std::optional<double> measured;  // progress 0..1 while all rungs are being measured
     std::string remark;              // a note on the measurement; may be empty
@@ -75,6 +76,7 @@ struct StateFacts {
     };
     std::vector<Choice> choices;
     std::array<Side, 2> sides;
+    bool fixed = false;                                   // neither follows the sliders
     std::string example = "values, such as uIndex=1.33";  // of what can be typed
 };
 
@@ -96,6 +98,8 @@ struct AccuracyMemory {
 
 // The range of errors that the heat map distinguishes, from black to white, as powers of ten.
 inline constexpr double coldest = -3, hottest = 0;
+// Where either picture has no number, in a colour that the heat map has not.
+inline constexpr std::array<float, 3> no_number{.1F, .75F, .9F};
 
 // Plots the ladder that was changed since the last frame. Call it in every frame, whether the panel is in sight or not.
 void follow_ladder(const Rungs& rungs, AccuracyMemory& memory);

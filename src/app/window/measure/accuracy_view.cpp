@@ -447,8 +447,10 @@ std::vector<std::byte> heat_of(const std::vector<float>& differences) {
     std::vector<std::byte> bytes;
     bytes.reserve(differences.size() * 4);
     for (const float difference : differences) {
-        const double power = difference > 0 ? std::log10(difference) : difference == 0 ? ui::coldest : NAN;
-        const auto [red, green, blue] = content::heat((power - ui::coldest) / (ui::hottest - ui::coldest));
+        const double power = difference > 0 ? std::log10(difference) : ui::coldest;
+        const auto [red, green, blue] = std::isfinite(difference)
+                                            ? content::heat((power - ui::coldest) / (ui::hottest - ui::coldest))
+                                            : ui::no_number;
         bytes.insert(bytes.end(), {byte_of(red), byte_of(green), byte_of(blue), std::byte{255}});
     }
     return bytes;
@@ -490,6 +492,12 @@ void AccuracyView::measure(const ui::AccuracyMemory& memory) {
 const ui::AccuracyFacts* AccuracyView::facts(const ui::AccuracyMemory& memory) {
     if (!now()) return nullptr;
     facts_ = now()->facts(memory.ladder);
+    if (const std::uint64_t now_at = revision(memory); now_at != compared_) {
+        compared_ = now_at;
+        unknown_ = now_at != 0 &&
+                   ranges::any_of(now()->differences(), [](float difference) { return !std::isfinite(difference); });
+    }
+    facts_.unknown = unknown_;
     if (beside_ && refinement_) facts_.points = refinement_->facts(memory.ladder).points;
     return &facts_;
 }

@@ -202,6 +202,8 @@ private:
     ui::AccuracyFacts facts_;
     gl::Still still_;
     std::uint64_t uploaded_ = 0;  // revision() of what still_ shows
+    std::uint64_t compared_ = 0;  // revision() that unknown_ is of
+    bool unknown_ = false;        // see AccuracyFacts::unknown
 };
 
 }  // namespace snell

@@ -203,7 +203,9 @@ const ui::StateFacts* StatesView::facts(Document& scene, const Earlier& earlier,
         side.failed = true;
         side.label = shown_name(half.name) + ": incomplete, for it has errors";
     }
+    facts_.fixed = ranges::all_of(halves_, &Half::fixed);
     if (found.empty()) return &facts_;
+    facts_.fixed = false;
     facts_.sides[0] = {facts_.sides[0].name, found};
     facts_.sides[1] = {facts_.sides[1].name, "the scene as it is"};
     return &facts_;
