@@ -139,6 +139,8 @@ void save_menu(const Facts& facts, Memory& memory, Requests& requests, Layout& l
     const bool picture = item({"Save picture\u2026", nullptr, "picture"}, layout);
     const bool sequence =
         item({"Save sequence\u2026", nullptr, "sequence", facts.animated || memory.animating()}, layout);
+    tip(facts.animated || memory.animating() ? "Saves numbered pictures of a span of time"
+                                             : "Nothing moves: the scene does not use time, and no slider is animated");
     if (picture || sequence) {
         requests.picture = PictureRequest::open;
         memory.picture.sequence = sequence;

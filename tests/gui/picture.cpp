@@ -1,4 +1,6 @@
 // Pictures that the window saves: larger than itself, many, and the same as the command's.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "tests/gui/desk.h"
@@ -121,6 +123,23 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
         EXPECT_TRUE(drawn.rgb == saved[k].rgb) << k << ": " << command;
     }
     EXPECT_FALSE(saved[0].rgb == saved[2].rgb);
+}
+
+TEST_F(SavedPicture, OfASequenceThatIsStoppedIsSaidHowManyArePresent) {
+    save("paint.frag", "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(Timer, uRed, 0., 1.); }\n");
+    open("scene.glib", {"--size", "640x480"});
+    choose("save", "sequence");
+    type("picture to", "1000", Field::number);
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture names"); }));
+    keep("sequence");
+    click("picture save");
+    ASSERT_TRUE(wait([&](const json&) { return std::filesystem::exists(file("scene-0002.png")); }));
+    click("picture stop");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture error"); }));
+    std::size_t there = 0;
+    while (std::filesystem::exists(file(fmt::format("scene-{:04}.png", there)))) ++there;
+    EXPECT_EQ(state()["picture_error"], fmt::format("stopped after {} of 25000 pictures", there));
+    keep("sequence-stopped");
 }
 
 // What the dialog of a scene begins with, it begins with again when the scene was left.

@@ -235,6 +235,24 @@ TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
     EXPECT_FALSE(memory_.picture.open);
 }
 
+TEST_F(UiKeep, ASequenceSaysWhereItsPicturesGo) {
+    memory_.picture.open = true;
+    memory_.picture.width = memory_.picture.height = 64;
+    memory_.picture.folder = "~/scenes";
+    memory_.picture.names = "waves-0000.png, waves-0001.png \u2026";
+    facts_.animated = true;
+    EXPECT_TRUE(has("picture folder"));
+    EXPECT_FALSE(has("picture names")) << "one picture";
+    memory_.picture.sequence = true;
+    EXPECT_TRUE(has("picture names"));
+    memory_.picture.open = facts_.animated = false;
+    click(place("menu.save"));
+    const Rect at = place("sequence");
+    frame({move(at.x + at.width / 2, at.y + at.height / 2)});
+    frame({}, 1);
+    EXPECT_TRUE(kit().tip.text.starts_with("Nothing moves")) << kit().tip.text;
+}
+
 TEST_F(UiKeep, ThePictureWindowRefusesNumbersThatItCannotTake) {
     struct Row {
         const char *field, *text, *wrong;

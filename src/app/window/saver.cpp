@@ -9,6 +9,7 @@
 #include "parser/text/ranges.h"
 #include "parser/text/words.h"
 #include "src/app/batch/shots.h"
+#include "src/app/desktop/folder.h"
 #include "src/plan/locate.h"
 #include "src/runtime/resources/uniforms.h"
 
@@ -71,9 +72,28 @@ void PictureSaver::fill(const Document& document, const Picture& shown, ui::Pict
     if (document.runtime->animated()) picture.to = std::min(document.scene().timer_period, longest);
 }
 
+// Says where the pictures go, and what those of a sequence are called.
+void PictureSaver::name(const Document& document, ui::PictureMemory& picture) {
+    Picture asked;
+    asked.file = picture.file.data();
+    asked.frames = picture.sequence ? std::min(ui::picture_count(picture), 2) : 0;
+    std::string problem;
+    const std::vector<std::string> files = files_of(document.path, asked, problem);
+    picture.folder.clear();
+    picture.names.clear();
+    if (files.empty()) return;
+    std::error_code none;
+    picture.folder =
+        utf8::printable(with_tilde(fs::absolute(files.front(), none).lexically_normal().parent_path().string()));
+    for (const std::string& file : files)
+        picture.names += (picture.names.empty() ? "" : ", ") + utf8::printable(fs::path(file).filename().string());
+    if (files.size() > 1) picture.names += " \u2026";
+}
+
 void PictureSaver::serve(const ui::Requests& requests, const Document& document, const Picture& shown, Window& window,
                          ui::Memory& memory) {
     ui::PictureMemory& picture = memory.picture;
+    if (picture.open) name(document, picture);
     switch (requests.picture) {
         case ui::PictureRequest::none:
             return;
@@ -81,7 +101,7 @@ void PictureSaver::serve(const ui::Requests& requests, const Document& document,
             fill(document, shown, picture);
             if (memory.animating() && picture.sequence) offer_period(memory.animated, picture);
             picture.open = true;
-            return;
+            return name(document, picture);
         case ui::PictureRequest::command: {
             const std::string command = render_command(document, wanted(shown, picture));
             window.set_clipboard(command);
@@ -89,7 +109,9 @@ void PictureSaver::serve(const ui::Requests& requests, const Document& document,
             return;
         }
         case ui::PictureRequest::stop:
-            return end(memory, "stopped");
+            return end(memory, work_ && work_->files.size() > 1
+                                   ? fmt::format("stopped after {} of {} pictures", work_->done, work_->files.size())
+                                   : "stopped");
         case ui::PictureRequest::save:
             picture.error = utf8::printable(begin(document, shown, memory));
             return;

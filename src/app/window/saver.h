@@ -48,6 +48,7 @@ private:
     };
 
     void fill(const Document& document, const Picture& shown, ui::PictureMemory& picture);
+    static void name(const Document& document, ui::PictureMemory& picture);
     std::string begin(const Document& document, const Picture& shown, ui::Memory& memory);
     void end(ui::Memory& memory, const std::string& error);
 

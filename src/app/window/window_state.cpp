@@ -135,6 +135,7 @@ void write_window_state(const std::string& file, const std::string& answered, co
                {"stale", session.stale()},
                {"view", view_of(view, memory.hold)},
                {"notice", memory.notice},
+               {"picture_error", memory.picture.error},
                {"failure", memory.failures.open.empty() ? std::string() : memory.failures.open.back().text},
                {"file", session.path()},
                {"files", session.files()},

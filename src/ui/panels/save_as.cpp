@@ -233,6 +233,11 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
         row("");
         fitted("in " + picture.folder, ImGui::GetContentRegionAvail().x, true);
         layout.note("picture folder");
+        if (picture.sequence && !picture.names.empty()) {
+            row("");
+            fitted(picture.names, ImGui::GetContentRegionAvail().x, true);
+            layout.note("picture names");
+        }
     }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())

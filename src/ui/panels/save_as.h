@@ -42,6 +42,7 @@ struct PictureMemory : SaveAs {
     // Saves pictures from time `from` to `to`, in seconds, without the one at `to`; `rate` is pictures per second.
     bool sequence = false;
     double from = 0, to = 10, rate = 25;
+    std::string names;               // of the first pictures of a sequence; empty if they are not known
     std::optional<double> progress;  // 0 to 1 while pictures are being saved
 };
 
