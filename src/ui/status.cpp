@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 #include <imgui.h>
@@ -133,6 +134,9 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
         const std::string text = found_text(*facts.found) + ": Esc shows the scene";
         parts.add("status.found", 95, text, 9 * em, 92).dim = false;
     }
+    if (facts.found && facts.found->progress && !memory.accuracy_in_sight())
+        parts.add("status.finding", 94,
+                  Text("finding rungs {:.0f} %", std::floor(100 * *facts.found->progress)).view());
     if (memory.hold.picking) {
         const bool picked = memory.hold.object != none;
         Part& mode = parts.add("status.pick", 90, picked ? "pick: Esc deselects" : "pick: click an object, Esc ends");

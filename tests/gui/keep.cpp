@@ -254,6 +254,12 @@ TEST_F(Keep, TimeIsHeldSteppedAndScrubbed) {
     const double time = state()["time"];
     EXPECT_NEAR(time, 5, .2);
     expect_red(time / 10);
+    user("key ctrl+shift+s");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("save as save"); }));
+    type("save as file", "other.glib", Field::text);
+    ASSERT_TRUE(wait([](const json& s) { return s["file"].get<std::string>().ends_with("other.glib"); }));
+    settle();
+    EXPECT_EQ(state()["time"], time) << "it is the same scene under another name";
 }
 
 // Pages for browsers hold the values, too.

@@ -47,6 +47,16 @@ protected:
     FoundFacts found_;
 };
 
+TEST_F(FoundPanel, ASearchOutOfSightIsSaidInTheStatusLine) {
+    found_.asked = true;
+    found_.progress = .4;
+    EXPECT_FALSE(has("status.finding")) << "the panel shows it";
+    memory_.tab = Tab::controls;
+    EXPECT_TRUE(has("status.finding"));
+    found_.progress.reset();
+    EXPECT_FALSE(has("status.finding"));
+}
+
 TEST_F(FoundPanel, TheButtonStartsAndStopsTheSearch) {
     EXPECT_FALSE(has("found.none")) << "nobody asked";
     EXPECT_TRUE(clicked("found.find").find_rungs);

@@ -16,8 +16,9 @@ Interface::Interface(Window& window, bool listening) : window_(window), gui_(&wi
     view_.axes = true;  // for a window that loses its context before a scene could be read
 }
 
-void Interface::begin_scene(const std::string& scene) {
+void Interface::begin_scene(const std::string& scene, bool same) {
     ui::Memory fresh;
+    if (same) fresh.clock = memory_.clock;
     carry_looks(memory_, fresh);
     fresh.failures = std::move(memory_.failures);
     fresh.failures.enter(whole_path(scene));

@@ -27,8 +27,9 @@ public:
     ui::Memory& memory() { return memory_; }
     const ui::Layout& layout() const { return layout_; }
     // Begins with the view and the memory of a scene that was just opened; the appearance of the window stays, and what
-    // could not be done in the scene before waits until that is opened again.
-    void begin_scene(const std::string& scene);
+    // could not be done in the scene before waits until that is opened again. `same`: it is the scene of
+    // before, saved under another name, whose time continues.
+    void begin_scene(const std::string& scene, bool same);
 
     // Starts the clocks, when the window is shown.
     void start();

@@ -443,7 +443,7 @@ void App::show_scene(const std::optional<std::string>& path) {
         return;
     }
     opened_at_ = kept_frame_ = display_.counters().frames;
-    interface_.begin_scene(*path);
+    interface_.begin_scene(*path, workspace_.is_saved_as());
     workspace_.begin(interface_.view(), interface_.memory().notice);
     picking_ = {};
     measuring_.begin_scene(*path);

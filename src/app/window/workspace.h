@@ -40,6 +40,8 @@ public:
     bool follow_rungs();
     // Records the scene as the most recent one, if it could be read.
     void remember_scene();
+    // Whether the scene that is opened next is this one, which was saved under another name.
+    bool is_saved_as() const { return !saved_as_.empty(); }
     // Shows another scene, as if the window had been opened with it. Returns "", or why the current scene stays. `view`
     // is that of the current scene.
     std::string open(const std::string& path, View& view);
