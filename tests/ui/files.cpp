@@ -336,6 +336,25 @@ TEST_F(FilePanels, LettersGrowAndShrink) {
     EXPECT_FLOAT_EQ(next_zoom(1.03F, 1), 1.1F);
 }
 
+TEST_F(FilePanels, WhereASizeOfLettersWasClickedTheNextClickFindsTheSameButton) {
+    memory_.tab = Tab::tools;
+    memory_.open.insert("Window");
+    for (const auto& [name, zooms] :
+         {std::pair("larger", std::vector{1.1F, 1.25F, 1.5F, 1.75F}), {"smaller", std::vector{1.5F, 1.25F, 1.1F}}}) {
+        const Rect at = place(name);
+        for (const float zoom : zooms) {
+            click(at);
+            screen_.scale = memory_.zoom;
+            for (int i = 0; i < 3; ++i) frame();
+            EXPECT_FLOAT_EQ(memory_.zoom, zoom) << name;
+        }
+        EXPECT_TRUE(has(std::string("letters.") + name));
+        frame({move(5, 5)});
+        EXPECT_FALSE(has(std::string("letters.") + name)) << "until the pointer leaves them";
+    }
+    EXPECT_EQ(memory_.theme, Theme::light) << "nothing else was clicked";
+}
+
 TEST_F(FilePanels, ThePanelGrowsWithTheLetters) {
     add_slider("uEta", 0, .5, 1);
     frame();
