@@ -153,6 +153,14 @@ TEST_F(FilePanels, TheBrowserTakesPaths) {
     write("~/y.glib");
     press(Key::enter);
     EXPECT_EQ(requests_.open, "~/y.glib");
+    // As the window leaves it if that is no scene.
+    EXPECT_TRUE(memory_.browser.asked);
+    memory_.browser.open = memory_.browser.focus = true;
+    memory_.browser.error = "no such file";
+    EXPECT_TRUE(has("browser.error"));
+    EXPECT_STREQ(memory_.browser.typed.data(), "~/y.glib") << "to be corrected";
+    write("z");
+    EXPECT_FALSE(has("browser.error")) << "it is another name now";
 }
 
 TEST_F(FilePanels, TheBrowserOpensWhatIsClickedTwice) {
@@ -211,6 +219,12 @@ TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     press(Key::enter);
     EXPECT_EQ(requests_.open, "/l/noise.glib");
     begin();
+    screen_.height = 300;
+    const float below = place("browser.new.noise").y;
+    EXPECT_GT(below, place("browser.to new").y) << "out of sight";
+    click(place("browser.to new"));
+    EXPECT_LT(place("browser.new.noise").y, below - 50);
+    screen_.height = 800;
     click(place("browser.new.noise"));
     EXPECT_TRUE(has("new scene save"));
     EXPECT_EQ(memory_.browser.kind, "noise");

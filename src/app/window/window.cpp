@@ -439,6 +439,12 @@ void App::show_scene(const std::optional<std::string>& path) {
     restart_.trying(*path);
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
         kept_frame_ = 0;
+        // What was typed stays to be corrected.
+        if (ui::Browser& browser = interface_.memory().browser; std::exchange(browser.asked, false)) {
+            browser.error = utf8::printable(problem);
+            browser.open = browser.focus = true;
+            return;
+        }
         interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }

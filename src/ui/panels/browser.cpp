@@ -119,15 +119,18 @@ bool card(const Card& shown, bool first) {
 }
 
 // Scenes as pictures, below a heading. Those whose names do not contain what is typed are left out.
-void cards(const char* heading, const char* name, std::span<const SceneCard> scenes, Memory& memory, Requests& requests,
-           Layout& layout) {
+void cards(const std::string& heading, const char* name, std::span<const SceneCard> scenes, Memory& memory,
+           Requests& requests, Layout& layout) {
     bool first = true;
-    ImGui::PushID(heading);
+    ImGui::PushID(name);
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const SceneCard& scene = scenes[i];
         const std::string_view typed = memory.browser.typed.data();
         if (!is_path(typed) && !contains(scene.name, typed)) continue;
-        if (first) ImGui::TextDisabled("%s", heading);
+        if (first) {
+            fitted(heading, ImGui::GetContentRegionAvail().x, true);
+            layout.note(name);
+        }
         ImGui::PushID(static_cast<int>(i));
         if (card({scene.name, scene.folder, &scene.picture, scene.folder.empty() ? 0 : 1}, first)) {
             requests.open = scene.path;
@@ -148,6 +151,8 @@ void cards(const char* heading, const char* name, std::span<const SceneCard> sce
 void new_scenes(const Facts& facts, Memory& memory, Layout& layout) {
     if (facts.kinds.empty() || memory.browser.typed[0] != '\0') return;
     ImGui::TextDisabled("New scene");
+    layout.note("browser.new scenes");
+    if (std::exchange(memory.browser.to_new, false)) ImGui::SetScrollHereY(0);
     int lines = 1;
     for (const NewKind& kind : facts.kinds) lines = std::max(lines, lines_of(kind.summary));
     for (std::size_t i = 0; i < facts.kinds.size(); ++i) {
@@ -186,7 +191,8 @@ std::optional<SceneCard> first_card(const Facts& facts, const Listing& listing, 
 
 void start_page(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
     cards("Recent", "browser.recent", facts.recent, memory, requests, layout);
-    cards("In this folder", "browser.beside", scenes_in(listing), memory, requests, layout);
+    cards("In the folder " + std::string(facts.new_folder), "browser.beside", scenes_in(listing), memory, requests,
+          layout);
     new_scenes(facts, memory, layout);
     cards("Scenes", "browser.scene", facts.examples.scenes, memory, requests, layout);
     cards("Lessons", "browser.lesson", facts.examples.lessons, memory, requests, layout);
@@ -318,7 +324,23 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
     bool go = text_field("##name", "name or path", browser.typed, ImGuiInputTextFlags_EnterReturnsTrue);
     layout.note("browser.name");
     if (ImGui::IsItemEdited()) browser.chosen = 0;
+    if (ImGui::IsItemEdited()) browser.error.clear();
+    if (!browser.error.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+        fitted(browser.error, ImGui::GetContentRegionAvail().x);
+        ImGui::PopStyleColor();
+        tip(browser.error);
+        layout.note("browser.error");
+    }
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
+    if (browser.start && !facts.kinds.empty()) {
+        if (button("New scene", layout, "browser.to new")) {
+            browser.typed.fill('\0');
+            browser.error.clear();
+            browser.to_new = true;
+        }
+        follow(buttons);
+    }
     if (!browser.start) {
         if (switch_box("All files", browser.all)) list_again(listing, browser, requests);
         layout.note("browser.all");
@@ -339,6 +361,7 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
         requests.open = typed;
         if (!requests.open.starts_with('/') && !requests.open.starts_with('~'))
             requests.open = listing.folder + "/" + requests.open;
+        browser.asked = true;
         return close(browser);
     }
     if (browser.start) {
@@ -369,6 +392,8 @@ void open_browser(std::string folder, Memory& memory, Requests& requests) {
     memory.browser.typed.fill('\0');
     memory.browser.chosen = 0;
     memory.browser.focus = true;
+    memory.browser.asked = false;
+    memory.browser.error.clear();
     requests.browse = true;
 }
 
@@ -418,9 +443,11 @@ void browser_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     const bool came = choose_origin(listing, browser);
     const std::vector<std::size_t> shown = matching(listing, browser.typed.data());
     choose_by_keys(browser, shown.size());
-    const bool two_rows =
-        check_box_width("All files") + button_width("Cancel") + button_width("Open") + 2 * em > size.x - 2 * em;
-    const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2);
+    const bool two_rows = std::max(check_box_width("All files"), button_width("New scene")) + button_width("Cancel") +
+                              button_width("Open") + 2 * em >
+                          size.x - 2 * em;
+    const float below = ImGui::GetFrameHeightWithSpacing() * (two_rows ? 3 : 2) +
+                        (browser.error.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing());
     // In the lowest windows all of it scrolls; the field for the name is seen first.
     const float room = ImGui::GetContentRegionAvail().y;
     const float height = std::max(room - below, std::min(7 * em, room - ImGui::GetFrameHeightWithSpacing()));

@@ -64,6 +64,9 @@ struct Browser {
     std::array<char, 1024> typed{};
     std::size_t chosen = 0;  // index into the entries that are shown
     bool focus = false;      // moves the keyboard focus to the name field
+    bool to_new = false;     // scrolls to the kinds of new scenes
+    bool asked = false;      // a path was typed and is to be opened
+    std::string error;       // why it could not be opened; empty if nothing is wrong
 };
 
 // Opens the browser and requests the listing of a folder; without one, it begins with pictures of scenes. It stays open
