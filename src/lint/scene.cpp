@@ -293,7 +293,7 @@ private:
         for (int k = 0; k < size; ++k) handed_on = handed_on || (names_rung(k) && !compared(k, is_own));
         const auto is_place_number = [&](int k) {
             return unit.at(k).kind == glsl::Kind::integer && !is_sum(k - 1) &&
-                   std::atof(std::string(text(k)).c_str()) < static_cast<double>(ladder.rungs.size());
+                   std::atoi(std::string(text(k)).c_str()) < static_cast<int>(ladder.rungs.size());
         };
         for (int k = 0; k < size; ++k) {
             if (!is_own(k)) continue;
