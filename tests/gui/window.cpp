@@ -178,10 +178,13 @@ TEST_F(Window, IncludedScenesIncludedShadersAndImagesAreWatchedToo) {
 TEST_F(Window, ABrokenEditKeepsTheLastGoodPictureAndSaysWhatIsWrong) {
     open("scene.glib");
     const auto frames = state()["frames"];
+    user("key ctrl+1");
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"] == "snapshot 1 is in scene.snapshots.json"; }));
     save("paint.frag", fragment(".6 + nonsense"));
     ASSERT_TRUE(wait([](const json& s) { return s["errors"] > 0; }));
     settle();
     const json broken = state();
+    EXPECT_EQ(broken["notice"], "") << "that is no outcome of the edit";
     EXPECT_TRUE(broken["stale"]);
     EXPECT_TRUE(broken["widgets"].contains("problems.hide")) << "the messages lie over the picture";
     const std::string problems = broken["problems"];
