@@ -395,7 +395,8 @@ bool App::look() {
         keep_picture();
     const bool saved = workspace_.session().saved();
     if (saved) reload();
-    return workspace_.look(interface_.view(), interface_.memory()) || saved;
+    const bool linted = now > touched_ + until_still && workspace_.session().lint();
+    return workspace_.look(interface_.view(), interface_.memory()) || saved || linted;
 }
 
 bool App::specialise() {
