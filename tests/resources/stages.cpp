@@ -218,20 +218,6 @@ TEST_F(Stages, MuchThatTheyEmitIsSaid) {
     EXPECT_EQ(said("uCount=64").items().size(), 1U);
 }
 
-TEST_F(Stages, BeyondALimitOfOpenGLAreToldItsNumber) {
-    if (!caps.geometry) GTEST_SKIP() << "no geometry shaders";
-    folder.write("s.geom",
-                 "#version 330 compatibility\nlayout(points) in; layout(points, max_vertices = 100000) out;\n"
-                 "void main() {}\n");
-    folder.write("s.frag", "void main() { gl_FragColor = vec4(1.); }\n");
-    folder.write("scene.glib", "Geometry s.geom\nFragment s.frag\nProgram P\nPoint 0 0 0\n");
-    const auto document = open_document(folder.path("scene.glib"), caps);
-    const std::string text = render(document->diagnostics, document->sources);
-    GLint most = 0;
-    glGetIntegerv(GL_MAX_GEOMETRY_OUTPUT_VERTICES, &most);
-    EXPECT_NE(text.find(fmt::format("(100000) exceeds GL_MAX_GEOMETRY_OUTPUT_VERTICES ({})", most)), text.npos) << text;
-}
-
 // The window has it among its problems until the scene is read again.
 TEST_F(Stages, MuchThatTheyEmitIsAProblemOfTheWindow) {
     folder.write(
