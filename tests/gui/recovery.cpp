@@ -64,6 +64,7 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
     // Another edit, or the same, is another try.
     save("paint.frag", paint("uPaint.grb "));
     EXPECT_TRUE(shows(green));
+    settle();
     EXPECT_EQ(state()["errors"], 0);
 }
 
