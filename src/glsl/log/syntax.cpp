@@ -47,7 +47,8 @@ bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diag
 
 bool ends_operand(std::string_view word) {
     const char c = word.empty() ? ' ' : word.back();
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
+    const bool number = c == '.' && word.size() > 1;  // a '.' alone is that of a member
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || number;
 }
 
 bool foreign_character(std::string_view word) {
@@ -202,7 +203,7 @@ bool declares_after_value(const Around& a) {
     int open = 0;
     for (std::size_t i = a.at; i-- > 1 && !is_one_of(a.word(i), "; { }");) {
         open += a.word(i) == ")" ? 1 : a.word(i) == "(" ? -1 : 0;
-        const bool called = a.word(i) == "(" && a.all[i - 1].name && !is_one_of(a.word(i - 1), "for if while switch");
+        const bool called = a.word(i) == "(" && a.all[i - 1].name && !is_one_of(a.word(i - 1), "if while switch");
         if (open == 0 && (called || a.word(i) == "=") && i + 1 < a.at) return true;
     }
     return false;
