@@ -395,7 +395,8 @@ bool App::look() {
         keep_picture();
     const bool saved = workspace_.session().saved();
     if (saved) reload();
-    return workspace_.look(interface_.view(), interface_.memory()) || saved;
+    const bool linted = now > touched_ + until_still && workspace_.session().lint();
+    return workspace_.look(interface_.view(), interface_.memory()) || saved || linted;
 }
 
 bool App::specialise() {
@@ -439,7 +440,7 @@ void App::show_scene(const std::optional<std::string>& path) {
     restart_.trying(*path);
     if (const std::string problem = workspace_.open(*path, interface_.view()); !problem.empty()) {
         kept_frame_ = 0;
-        interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
+        interface_.memory().failed({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }
     opened_at_ = kept_frame_ = display_.counters().frames;
