@@ -314,7 +314,7 @@ TEST_F(SlowPictures, AreCoarseOnceOneTookLongWhateverTheTextSays) {
 TEST_F(SlowPictures, AreDrawnAtOnceWhereVerticesTakeLong) {
     save("paint.vert",
          "uniform float uPhase;\nvoid main() {\n    float x = gl_Vertex.x + uPhase;\n"
-         "    for (int i = 0; i < 550; ++i) x += sin(x + cos(x * 1.7)) + exp(-x * x);\n"
+         "    for (int i = 0; i < 700; ++i) x += sin(x + cos(x * 1.7)) + exp(-x * x);\n"
          "    gl_Position = ftransform() + vec4(0., 0., 1e-9 * x, 0.);\n}\n");
     save("paint.frag", "void main() { gl_FragColor = vec4(0., 1., 0., 1.); }\n");
     save("slow.glib", "Vertex paint.vert\nFragment paint.frag\nProgram Paint uPhase <0. 0. 1.>\nSphere 1. 400 400\n");
