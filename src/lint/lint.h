@@ -36,6 +36,7 @@ enum class Rule : std::uint8_t {
     encoded_light,
     position_not_written,
     point_size_unused,
+    rung_number,
     slider_without_effect,  // found by the driver's code of the programs: Runtime::without_effect
 };
 

@@ -79,6 +79,11 @@ constexpr std::array table{
         "a shader that writes `gl_PointSize` for points that the scene draws without `PointSizeMode 1`: `PointSize` "
         "decides instead",
         "write PointSizeMode 1 before the points, or PointSize if all have one size"},
+    RuleFacts{
+        rung_number, warning, "rung-number", "the-number-of-a-rung",
+        "the name of a `Ladder` whose rungs are numbers, in arithmetic or as the bound of a loop: it is which rung "
+        "it is, from 0",
+        "write NAME_VALUE for the rung's own number"},
     RuleFacts{slider_without_effect, warning, "slider-without-effect", "a-slider-without-effect",
               "a slider or check box whose uniform the program reads, and yet no pixel depends on it",
               "let an output depend on the uniform, or remove it from the Program line"},

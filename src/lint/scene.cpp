@@ -165,6 +165,9 @@ private:
         std::optional<Varyings> given;
         for (const Unit& unit : units) {
             check_shadows(unit);
+            for (const Ladder& ladder :
+                 std::span(scene_.ladders).first(std::min(program.ladders, scene_.ladders.size())))
+                check_rungs(unit, ladder);
             if (unit.stage != Stage::vertex && unit.stage != Stage::fragment) {
                 given.reset();
                 continue;
@@ -259,6 +262,59 @@ private:
                 if (d)
                     d->notes.push_back({unit.span(uniform->name_token), "the uniform, which has no effect behind it"});
             }
+    }
+
+    // The ladder's name for a number that is meant to be the rung's own. It may be compared with the rungs' names and
+    // their places, choose an element or a case, and be handed on to where it is compared with them.
+    void check_rungs(const Unit& unit, const Ladder& ladder) {
+        const auto is_place = [&](const std::string& rung) {
+            return rung == std::to_string(&rung - ladder.rungs.data());
+        };
+        if (!ladder.numeric() || ranges::all_of(ladder.rungs, is_place)) return;
+        const auto size = static_cast<int>(unit.tokens.size());
+        const auto text = [&](int k) { return k < 0 || k >= size ? std::string_view() : unit.at(k).text; };
+        const auto written = [&](int k) {
+            const bool macro = k >= 0 && k < size && unit.at(k).macro >= 0;
+            return macro ? unit.invocations[static_cast<std::size_t>(unit.at(k).macro)] : text(k);
+        };
+        const auto names_rung = [&](int k) {
+            const std::string_view name = written(k);
+            return name.starts_with(ladder.name + "_") &&
+                   ranges::count(ladder.rungs, name.substr(ladder.name.size() + 1)) > 0;
+        };
+        const auto is_sum = [&](int k) {
+            return std::string_view("+-*/%").find(text(k).substr(0, 1)) != std::string_view::npos && !text(k).empty();
+        };
+        const auto is_own = [&](int k) { return written(k) == ladder.name; };
+        const auto compared = [&](int k, const auto& with) {
+            return (glsl::compares(text(k + 1)) && with(k + 2)) || (glsl::compares(text(k - 1)) && with(k - 2));
+        };
+        bool handed_on = false;  // the names of rungs are compared with something else
+        for (int k = 0; k < size; ++k) handed_on = handed_on || (names_rung(k) && !compared(k, is_own));
+        const auto is_place_number = [&](int k) {
+            return unit.at(k).kind == glsl::Kind::integer && !is_sum(k - 1) &&
+                   std::atof(std::string(text(k)).c_str()) < static_cast<double>(ladder.rungs.size());
+        };
+        for (int k = 0; k < size; ++k) {
+            if (!is_own(k)) continue;
+            const bool type_before = glsl::builtin_type(text(k - 2)) || glsl::builtin_type(text(k - 3));
+            const bool chooses = (text(k - 1) == "[" && text(k + 1) == "]" && !type_before) || text(k - 2) == "switch";
+            const bool copied = (text(k - 1) == "=" || text(k - 1) == "(" || text(k - 1) == ",") &&
+                                (text(k + 1) == ";" || text(k + 1) == "," || text(k + 1) == ")") &&
+                                !glsl::builtin_type(text(k - 2));
+            if (compared(k, names_rung) || compared(k, is_place_number) || chooses || (copied && handed_on)) continue;
+            Span span = unit.span(k);
+            if (library_.contains(std::string(sources_.name(span.file)))) continue;
+            span.end = span.begin + static_cast<std::uint32_t>(ladder.name.size());
+            const std::size_t rung = plan_.rungs[static_cast<std::size_t>(&ladder - scene_.ladders.data())];
+            Diagnostic* d = report(Rule::rung_number, span,
+                                   fmt::format("'{}' is the index of the rung, {}, and not its number, {}", ladder.name,
+                                               rung, ladder.rungs[rung]));
+            if (d) {
+                d->help = fmt::format("use {}_VALUE ({})", ladder.name, more(facts(Rule::rung_number)));
+                d->notes.push_back({ladder.name_span, "the ladder"});
+            }
+        }
     }
 
     std::vector<Sampler> samplers(const Program& program, const std::vector<Unit>& units) const {

@@ -57,8 +57,11 @@ TEST(FoundRows, ARungIsWhereItsTimePutsIt) {
          {std::pair(.9, Group::cheaper), {.99, Group::cheaper}, {.998, Group::dearer}, {1.01, Group::dearer}}) {
         OneRung found(accuracy::Aim::cheaper);
         found.result.rungs[0].quick_ratio = ratio;
-        found.result.rungs[0].saves = true;  // as far as the first frames told
+        found.result.rungs[0].saves = found.result.rungs[0].quicker = true;  // as far as the first frames told
         EXPECT_EQ(found_rows(found.result, found.sources, false).at(0).group, group) << ratio;
+        found.result.rungs[0].quicker = false;
+        for (const bool searching : {true, false})
+            EXPECT_EQ(found_rows(found.result, found.sources, searching).at(0).group, Group::dearer) << ratio;
     }
 }
 

@@ -56,6 +56,13 @@ TEST_F(LadderScene, OpensWithTheRungsOfAPreset) {
     expect_red(scene_pixel(20, 20), .8);
 }
 
+TEST_F(LadderScene, TheNumberOfARungInThePlaceOfTheRungIsSaid) {
+    save("scene.glib", "Ladder N 3 <8> 16\nVertex paint.vert\nFragment paint.frag\nProgram Paint\nQuadXY 0. 1.\n");
+    save("paint.frag", "void main() { gl_FragColor = vec4(.1 * float(N)); }\n");
+    open("scene.glib");
+    EXPECT_NE(state()["problems"].get<std::string>().find("use N_VALUE"), std::string::npos) << state()["problems"];
+}
+
 TEST_F(LadderScene, AnyRungGoesBeforeThePreset) {
     open("scene.glib", {"--quality", "fast", "--ladder", "DETAIL=near"});
     EXPECT_EQ(state()["rungs"]["DETAIL"], "near");

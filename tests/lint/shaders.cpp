@@ -278,6 +278,42 @@ TEST(LintFar, PositionsFarFromTheOrigin) {
                         {"a.frag", "in vec3 vE;\nvoid main() { gl_FragColor = vec4(normalize(vE), 1.); }\n"}}));
 }
 
+TEST(LintRungs, TheNumberOfARungForTheRungsOwn) {
+    using Places = std::vector<std::string>;
+    struct {
+        std::string_view statements;
+        Places found;
+        std::string_view ladder = "Ladder N 1 3 <8> 16 64";
+    } const rows[]{
+        {"for (int i = 0; i < N; i++) x += 1.;", {"N"}},
+        {"for (int i = 0; N > i; i++) x += 1.; x /= float(N);", {"N", "N"}},
+        {"x = 1. / float(N * 2);", {"N"}},
+        {"float weights[N]; weights[0] = x;", {"N"}},
+        {"int samples = N; for (int i = 0; i < samples; i++) x += 1.;", {"N"}},
+        {"if (N == 8) x = 1.;", {"N"}},
+        {"for (int i = 0; i + 1 < N; i++) x += 1.;", {"N"}},
+        {"for (int i = 0; i < N_VALUE; i++) x += 1.;", {}},
+        {"if (N == N_8 || N_16 <= N) x = 1.;\n#if N > 1\nx = 2.;\n#endif", {}},
+        {"if (N > 0) x = 1.;", {}},
+        {"switch (N) { case N_8: x = 1.; break; default: x = 2.; }", {}},
+        {"int method = N; if (method == N_8) x = 1.;", {}},
+        {"vec4 offsets = vec4(0.); x = offsets[N];", {}},
+        {"for (int i = 0; i < N; i++) x += 1.;", {}, "Ladder N a <b> c"},
+        {"for (int i = 0; i < N; i++) x += 1.;", {}, "Ladder N 0 1 <2>"},
+    };
+    for (const auto& row : rows)
+        EXPECT_EQ(lint_fragment(
+                      "void main() {\nfloat x = 0.;\n" + std::string(row.statements) + "\ngl_FragColor = vec4(x);\n}\n",
+                      "", row.ladder)
+                      .at("rung-number"),
+                  row.found)
+            << row.ladder << "\n"
+            << row.statements;
+    const Linted found = lint_fragment("void main() { gl_FragColor = vec4(float(N)); }\n", "", "Ladder N 3 <8> 16");
+    EXPECT_EQ(found.place("rung-number"), "a.frag:1:41");
+    EXPECT_NE(found.text().find("use N_VALUE"), std::string::npos) << found.text();
+}
+
 TEST(LintSmoothstep, WithoutWidth) {
     const Linted bad = body("gl_FragColor = vec4(smoothstep(.5, .5, uX));");
     EXPECT_EQ(bad.at("smoothstep-without-width"), Places{"smoothstep(.5, .5, uX)"}) << bad.text();

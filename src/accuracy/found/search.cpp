@@ -198,7 +198,7 @@ void Search::Impl::try_rung(std::size_t i, double part, std::function<void()> th
                     small();
                     trial->bench->resize(result.search_width, result.search_height);
                     done.quick_ratio = quick.middle;
-                    done.saves = quick.middle > 0 && quick.middle < least_saving && quick.high < 1;
+                    done.saves = done.quicker = quick.middle > 0 && quick.middle < least_saving && quick.high < 1;
                 }
                 for (const std::size_t place : {std::size_t{0}, done.worst_searched})
                     if (useful(done)) find_flip(*trial, done, place);

@@ -78,6 +78,7 @@ struct FoundRung {
     bool only_where_tried = false;
 
     double quick_ratio = 0;            // of its time to the scene's, by a few frames of quick_size; 0: not known
+    bool quicker = false;              // than the scene, as far as these frames tell: beyond their noise
     bool saves = false;                // time, as far as these frames tell; a combination: more than what it adds to
     std::optional<std::size_t> timed;  // index into FoundResult::timed (cheaper) or costs (better, unused)
     // Unused only: what the scene would not need without it.

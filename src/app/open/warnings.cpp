@@ -73,6 +73,14 @@ bool has_loop(std::string_view text) {
     return glsl::has_word(text, "for") || glsl::has_word(text, "while") || text.find("include \"") != text.npos;
 }
 
+Diagnostics lints(const Plan& plan, Document& document, lint::Rule rule) {
+    Diagnostics of_rule;
+    const Diagnostics found = lint::check(plan, document.sources, shader_includes(*document.files));
+    for (const Diagnostic& diagnostic : found.items())
+        if (diagnostic.code == lint::facts(rule).code) of_rule.add(diagnostic);
+    return of_rule;
+}
+
 }  // namespace
 
 bool may_go_round(const Plan& plan, const Document& document, const gl::Caps& caps) {
@@ -84,11 +92,12 @@ bool may_go_round(const Plan& plan, const Document& document, const gl::Caps& ca
 }
 
 Diagnostics too_many_rounds(const Plan& plan, Document& document) {
-    Diagnostics rounds;
-    const Diagnostics found = lint::check(plan, document.sources, shader_includes(*document.files));
-    for (const Diagnostic& diagnostic : found.items())
-        if (diagnostic.code == lint::facts(lint::Rule::many_rounds).code) rounds.add(diagnostic);
-    return rounds;
+    return lints(plan, document, lint::Rule::many_rounds);
+}
+
+Diagnostics misread_rungs(const Plan& plan, Document& document) {
+    if (ranges::none_of(plan.scene.ladders, &Ladder::numeric)) return {};
+    return lints(plan, document, lint::Rule::rung_number);
 }
 
 void Reach::add(const Controls& controls) {

@@ -24,6 +24,9 @@ bool may_go_round(const Plan& plan, const Document& document, const gl::Caps& ca
 
 // Returns the warnings that `snell check` would give. Adds the texts that shaders include to the document's sources.
 Diagnostics too_many_rounds(const Plan& plan, Document& document);
+// The same for the numbers of rungs in the place of the rungs themselves: what is shown of them is another thing than
+// what the names of the rungs say.
+Diagnostics misread_rungs(const Plan& plan, Document& document);
 
 // The values that uniforms take in a command, where no user moves a slider.
 class Reach {

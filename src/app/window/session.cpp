@@ -60,6 +60,7 @@ std::unique_ptr<Document> Session::read(const std::string& path, const FirstRung
     const auto planned = [this](const Plan& plan, Document& document) {
         read_plan_ = plan;
         if (may_go_round(plan, document, caps_)) document.diagnostics.append(too_many_rounds(plan, document));
+        document.diagnostics.append(misread_rungs(plan, document));
     };
     const auto chosen = [&](const Scene& scene, Rungs& rungs) { choose(scene, rungs, refused); };
     given_.remove_saved(access_);

@@ -37,6 +37,28 @@ TEST_F(Rounds, ANumberBoundsTheLoop) {
     EXPECT_EQ(lines("for (int i = 0; i != 8; i += 2) color += vN;"), Lines{}) << "it would never end";
 }
 
+TEST_F(Rounds, WhatTheRungNeverRunsIsNotOffered) {
+    const auto looping = [](const std::string& name, const std::string& rounds) {
+        return "float " + name + "(float c) {\n    float s = 0.;\n    for (int i = 0; i < " + rounds +
+               "; i++) s += c * vN.x;\n    return s;\n}\n";
+    };
+    const std::string functions = looping("exact", "64") + looping("helper", "50") + looping("schlick", "32") +
+                                  "float other(float c) { return helper(c); }\n";
+    for (const std::string choice :
+         {"#if FRESNEL == FRESNEL_exact\ncolor.x = exact(vN.z) + other(1.);\n#else\ncolor.x = schlick(vN.z);\n#endif",
+          "if (FRESNEL == FRESNEL_exact) color.x = exact(vN.z) + other(1.); else color.x = schlick(vN.z);",
+          "color.x = FRESNEL != FRESNEL_exact ? schlick(vN.z) : exact(vN.z) + other(1.);"})
+        for (const auto& [ladder, rounds] : {std::pair("Ladder FRESNEL <schlick> exact", std::vector{"32"}),
+                                             {"Ladder FRESNEL schlick <exact>", std::vector{"64", "50"}}}) {
+            Found& found = shaders(in_main(choice, functions), "", ladder);
+            found.changes = find_changes(found.plan, *found.files, found.sources);
+            std::set<std::string> changed, wanted;
+            for (const char* round : rounds) wanted.insert("i < " + std::string(round));
+            for (const Change* change : found.of(fewer_rounds)) changed.insert(change->before);
+            EXPECT_EQ(changed, wanted) << ladder << "\n" << choice;
+        }
+}
+
 TEST_F(Rounds, ALoopThatCountsDownBeginsLower) {
     Found& found = shaders(in_main("for (int i = 32; i > 0; --i) color += vN;"));
     ASSERT_EQ(found.of(fewer_rounds).size(), 2U);

@@ -36,7 +36,8 @@ public:
         };
         std::vector<Candidate> found;
         for (int n = 0; n < s_.nodes(); ++n)
-            if (const int work = fits(n) ? work_of(n) : 0; work > 0) found.push_back({n, work});
+            if (const int work = fits(n) && s_.runs(s_.at(n).first) ? work_of(n) : 0; work > 0)
+                found.push_back({n, work});
         // Those that take most work; of equals, the first.
         ranges::stable_sort(found, std::greater<>(), &Candidate::work);
         const auto known = static_cast<std::size_t>(

@@ -73,6 +73,54 @@ void Shader::link() {
             free_[static_cast<std::size_t>(k)] = true;
     }
     link_expressions();
+    link_calls();
+}
+
+namespace {
+
+// Whether a condition compares constants, as those of ladders do, and whether it holds then.
+std::optional<bool> decided(const Shader& s, int condition) {
+    const Node& node = s.at(s.bare(condition));
+    if (node.form != Form::infix || (node.text != "==" && node.text != "!=")) return std::nullopt;
+    const std::vector<int> sides = s.parts(s.bare(condition));
+    const auto &a = s.at(s.bare(sides[0])).value, &b = s.at(s.bare(sides[1])).value;
+    if (a.size() != 1 || b.size() != 1) return std::nullopt;
+    return (a == b) == (node.text == "==");
+}
+
+}  // namespace
+
+void Shader::link_calls() {
+    idle_.assign(unit.tokens.size(), false);
+    if (!unit.code.whole || main() < 0) return;
+    const auto end = [](auto first, auto last) { return last < first ? first : last + 1; };
+    const auto rest = [&](int first, int last) {
+        if (first >= 0) std::fill(idle_.begin() + first, idle_.begin() + end(first, last), true);
+    };
+    for (int n = 0; n < nodes(); ++n) {
+        if (at(n).form != Form::branch && at(n).form != Form::choose) continue;
+        const std::vector<int> arms = parts(n);
+        const auto holds = arms.size() > 1 ? decided(*this, arms[0]) : std::nullopt;
+        const std::size_t left_out = holds && *holds ? 2 : 1;
+        if (holds && left_out < arms.size()) rest(at(arms[left_out]).first, at(arms[left_out]).last);
+    }
+    std::map<int, std::set<std::string_view>> called;  // by the function that calls
+    for (int n = 0; n < nodes(); ++n)
+        if (at(n).form == Form::call && runs(at(n).first)) called[function_of(at(n).first)].insert(at(n).text);
+    std::set<std::string_view> reached = called[-1];
+    std::vector<std::string_view> open(reached.begin(), reached.end());
+    open.push_back(function(main()).name);
+    while (!open.empty()) {
+        const std::string_view name = open.back();
+        open.pop_back();
+        reached.insert(name);
+        for (std::size_t f = 0; f < unit.functions.size(); ++f)
+            if (unit.functions[f].name == name)
+                for (const std::string_view other : called[static_cast<int>(f)])
+                    if (!reached.contains(other)) open.push_back(other);
+    }
+    for (const glsl::Function& f : unit.functions)
+        if (f.open >= 0 && !reached.contains(f.name)) rest(f.first, f.close);
 }
 
 void Shader::link_expressions() {

@@ -60,6 +60,9 @@ public:
     int main() const;
     // Whether a loop around the token may go round for ever if a number changes.
     bool in_free_loop(int token) const { return free_[static_cast<std::size_t>(token)]; }
+    // Whether the program may run the token, as far as calls and conditions of constants tell: not within a function
+    // that main never reaches, nor in an arm that the chosen rungs leave out.
+    bool runs(int token) const { return !idle_[static_cast<std::size_t>(token)]; }
     // The names that mean a variable, and where it is declared (-1: a parameter, or not known).
     const std::vector<int>& uses(int variable) const { return uses_[static_cast<std::size_t>(variable)]; }
     int declarator(int variable) const { return declarators_[static_cast<std::size_t>(variable)]; }
@@ -91,9 +94,10 @@ public:
 private:
     void link();
     void link_expressions();
+    void link_calls();
     std::vector<int> parents_, functions_, declarators_, expressions_, depths_;
     std::vector<std::vector<int>> uses_;
-    std::vector<bool> free_, changed_;
+    std::vector<bool> free_, changed_, idle_;
 };
 
 // An expression of a shader; none where something in it was not understood.

@@ -141,6 +141,25 @@ void drop_repeated(std::vector<Change>& changes, const Sources& sources) {
     changes = std::move(left);
 }
 
+// Whether all of the shaders' text that the change is in is never run, as with a function that another rung calls: such
+// a change has no error and saves nothing, and what looks like a saving is noise.
+bool is_idle(const Change& change, const Reading& reading) {
+    bool idle = false;
+    for (const Shader& shader : reading.shaders)
+        for (int k = 0; k + 1 < static_cast<int>(shader.unit.tokens.size()); ++k) {
+            const glsl::Token& token = shader.token(k);
+            const auto touches = [&](const Edit& edit) {
+                const Span& at = edit.span;
+                return shader.files[token.file] == at.file && token.offset >= at.begin &&
+                       (token.offset < at.end || token.offset == at.begin);
+            };
+            if (!ranges::any_of(change.edits, touches)) continue;
+            if (shader.runs(k)) return false;
+            idle = true;
+        }
+    return idle;
+}
+
 }  // namespace
 
 std::vector<Change> find_changes(const Plan& plan, Files& files, Sources& sources) {
@@ -149,6 +168,7 @@ std::vector<Change> find_changes(const Plan& plan, Files& files, Sources& source
     add_scene_changes(reading, changes);
     add_better_changes(reading, changes);
     add_shader_changes(reading, changes);
+    std::erase_if(changes, [&](const Change& change) { return is_idle(change, reading); });
     add_omissions(reading, changes);
     drop_repeated(changes, sources);
     // By names: the numbers of texts depend on what was compiled before.

@@ -94,7 +94,9 @@ std::vector<ui::FoundRow> found_rows(const FoundResult& result, const Sources& s
             row.remark = rung.reason.empty() ? "the search was stopped" : utf8::printable(rung.reason);
         else
             measured(row, rung, result);
-        if (row.group == Group::cheaper && row.ratio > saves_nothing) row.group = Group::dearer;
+        // Until it is timed, what is within the noise of a few frames is no saving.
+        const bool noise = row.ratio > 0 && !result.times(rung) && !rung.quicker;
+        if (row.group == Group::cheaper && (noise || row.ratio > saves_nothing)) row.group = Group::dearer;
         // Of places that are held out, the window says what the report says.
         const bool unseen = !searching && !rung.held_out && result.places.size() > result.searched;
         if (rung.outcome == Outcome::tried && rung.aim != Aim::unused && (rung.only_where_tried || unseen))
