@@ -1,5 +1,5 @@
-// What compiles and runs, and yet is probably not meant: warnings for `snell check`. No GL; nothing here runs when
-// a scene is drawn, but for loops where llvmpipe draws (src/app/open/warnings.h).
+// What compiles and runs, and yet is probably not meant: warnings for `snell check` and the window. No GL; nothing here
+// runs before a scene's picture is drawn, but for loops where llvmpipe draws (src/app/open/warnings.h).
 //
 // The shaders of each program are walked as they would run, from main() through the functions it calls, with facts
 // instead of numbers: whether a vector has unit length, in which space it is, between which bounds a number lies. A

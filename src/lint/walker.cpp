@@ -157,13 +157,13 @@ void Walker::note_reasons(int variable, int value) {
 }
 
 // A number that was compared with something is no longer known to be as small or as large as it may have been, but for
-// uniforms that a loop counts to.
+// uniforms and exact numbers that a loop counts to.
 void Walker::condition_on(int first, int last, bool counts) {
     for (const Node* name : conditioned(first, last)) {
         conditions_.insert(name->text);
         if (name->variable < 0 || slot(name->variable).constant) continue;
-        if (counts && slot(name->variable).value.uniform >= 0) continue;
         Value& value = slot(name->variable).value;
+        if (counts && (value.uniform >= 0 || value.range == exactly(value.range.lo))) continue;
         value.range = {};
         value.difference = {};
     }

@@ -288,7 +288,10 @@ private:
     }
 
     void programs() {
-        std::set<const runtime::LinkedProgram*> told;  // forms of a program may be one
+        std::set<const runtime::LinkedProgram*> told;  // forms of a program may be one, and so may programs
+        std::map<const runtime::LinkedProgram*, std::set<Index>> users;
+        for (const auto& [key, linked] : impl_.programs)
+            if (key.first != none) users[linked.get()].insert(key.first);
         for (const auto& [key, linked] : impl_.programs) {
             const auto& [index, variant] = key;
             if (!linked || index == none || !told.insert(linked.get()).second) continue;
@@ -299,6 +302,12 @@ private:
                 if (with == linked.get()) paid.draws.push_back(draw);
             paid.why = paid.draws.empty() ? "no draw; compiled for its sliders and errors"
                                           : counted(paid.draws.size(), "draw");
+            paid.programs.assign(users[linked.get()].begin(), users[linked.get()].end());
+            if (paid.programs.size() > 1) {
+                std::vector<std::string> names;
+                for (const Index user : paid.programs) names.push_back(scene_.programs[user].name);
+                paid.why += fmt::format("; compiled once for {}", fmt::join(names, ", "));
+            }
             runtime::Variant drawn = variant;
             drawn.settled = impl_.settled_values;
             const bool asked = impl_.settled_values != 0 && variant.settled == 0 && linked->settled.empty() &&

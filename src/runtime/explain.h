@@ -47,6 +47,7 @@ struct Explanation {
         Index pass = none;               // of a pass: Scene::passes
         Index texture = none;            // of an image, a cube map, an empty or computed texture: Scene::textures
         int noise = 0;                   // of noise: 2 or 3
+        std::vector<Index> programs;     // of a program, those that are compiled to it: Scene::programs
     };
     struct Unpaid {
         std::string name, why;

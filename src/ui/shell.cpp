@@ -426,6 +426,8 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
                         memory.write_rung.open || memory.set_editor.open || memory.new_scene.open ||
                         (menu == Menu::none && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
     const bool cancels = pressed(Key::escape) && ImGui::IsAnyMouseDown();  // what is being dragged
+    // Commands take the number that is being typed, as a press beside its field does.
+    const bool leaves = !dialog && ImGui::GetIO().KeyCtrl && (pressed(Key::s) || pressed(Key::o)) && leave_field();
     if (!ImGui::GetIO().WantTextInput && !dialog && !cancels) {
         keys(facts, view, memory, requests);
         const bool arrows = pressed(Key::down, true) || pressed(Key::up, true);
@@ -482,6 +484,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     hold_scene(facts, parts.scene, view, memory.hold, requests);
     requests.take_back = std::exchange(memory.slider.taken_back, false);
+    if (leaves && !refused()) keys(facts, view, memory, requests);
     return requests;
 }
 

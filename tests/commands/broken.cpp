@@ -1,5 +1,6 @@
 // A scene with an error ends every subcommand that reads what scenes mean with status 1.
 #include <map>
+#include <regex>
 
 #include "src/app/help/program.h"
 #include "tests/commands/web.h"
@@ -56,6 +57,18 @@ TEST_F(BrokenScenes, EndEverySubcommandWithOne) {
                 std::filesystem::remove(folder.path("saved.glib"));
             }
     }
+}
+
+TEST_F(BrokenScenes, LimitsOfTheDriverAreToldWithTheirNumbers) {
+    folder.write("a.frag", "void main() { gl_FragColor = vec4(1.); }\n");
+    folder.write("a.geom",
+                 "#version 330 compatibility\nlayout(points) in; layout(points, max_vertices = 100000) out;\n"
+                 "void main() {}\n");
+    const std::string text =
+        snell("check " + folder.write("a.glib", "Geometry a.geom\nFragment a.frag\nProgram P\nQuadXY\n")).output;
+    EXPECT_TRUE(std::regex_search(
+        text, std::regex("output vertices \\(100000\\) exceeds GL_MAX_GEOMETRY_OUTPUT_VERTICES \\([0-9]+\\)")))
+        << text;
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ const std::string two_of_twenty = [] {
            "QuadXY\nProgram B uUnit 9\nQuadXY\n";
 }();
 
+TEST_F(Explain, SaysWhichProgramsAreCompiledOnce) {
+    std::string scene = "Ortho -1 1 -1 1\nVertex plain.vert\nFragment clock.frag\n";
+    for (const char* name : {"A", "B", "C"}) scene += std::string("Program ") + name + "\nQuadXY\n";
+    const auto programs = of_kind(explain(scene), "program");
+    ASSERT_EQ(programs.size(), 1U);
+    EXPECT_TRUE(programs[0]["why"].get<std::string>().starts_with("3 draws; compiled once for A, B, C")) << programs[0];
+}
+
 // A sphere far to the side is in no view; the other one is, and so is the value of its colour.
 TEST_F(Explain, SaysWhatChangesNoPixelFirst) {
     folder.write("p.frag",

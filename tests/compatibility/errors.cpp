@@ -183,7 +183,7 @@ constexpr Mistake mistakes[] = {
      "demo.frag:4:15 {", "unexpected '{'", "inside another"},
     {"no semicolon before a brace",
      "#version 330 compatibility\nin vec2 vST;\nvoid main() {\n    gl_FragColor = vec4(1.) }\n", "demo.frag:4:29 }",
-     "unexpected '}'", "missing before the '}'"},
+     "unexpected '}'", "missing before '}'"},
     {"typographic quote", "#version 330 compatibility\nin vec2 vST;\nvoid main() {\n    gl_FragColor = vec4(1.)’;\n}\n",
      "demo.frag:4:28 ’", "GLSL does not know", "pasted"},
     {"scope",

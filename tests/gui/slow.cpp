@@ -55,7 +55,7 @@ protected:
         }));
         return answers;
     }
-    static constexpr const char* slow = "2500";
+    static constexpr const char* slow = "1800";
     static constexpr std::array<int, 2> coarse_then_sharp{2, 1};
 
 private:
@@ -70,7 +70,7 @@ TEST_F(SlowPictures, BeginCoarseWhereverTheyComeFrom) {
     const auto [x, y] = on("Paint.uPhase", .2);
     user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " mousedown 1");
     EXPECT_TRUE(coarse_since()) << "dragged before the cost of two sharp ones is known";
-    for (int i = 1; i < 15; ++i) user("mousemove_relative 1 0");
+    for (int i = 1; i < 8; ++i) user("mousemove_relative 1 0");
     EXPECT_EQ(state()["frames"].get<int>() - state()["coarse"].get<int>(), 1) << "every move drops the sharp one";
     user("mouseup 1");
     settle();
@@ -126,6 +126,7 @@ TEST_F(SlowPictures, MoveCoarseAndAreSharpWhenTheyStand) {
 
 TEST_F(SlowPictures, AreMarkedInStripsOnceTheyAreSharp) {
     save("paint.frag", shader("int(uRounds)", "(gl_FragCoord.x < 150. ? sqrt(-1. - uPhase) : 0.)"));
+    save("slow.glib", scene("2500"));  // so that many strips are seen
     open("slow.glib", {"--no-specialise"});
     user("key n");
     EXPECT_GT(marked(), 3) << "the window answers between two strips";
@@ -154,7 +155,7 @@ TEST_F(SlowPictures, SideBySideAreAsCoarseAndComeInStripsTogether) {
     drawn();
     user("type --delay 8 uPhase=0.6");
     user("key space");
-    user("type --delay 8 uRounds=2500");
+    user(std::string("type --delay 8 uRounds=") + slow);
     user("key Return");
     settle();
     EXPECT_EQ(drawn(), coarse_then_sharp);
@@ -183,8 +184,8 @@ TEST_F(SlowPictures, AreOfOneMomentWhileASequenceIsSaved) {
              "    gl_FragColor = vec4(texture2D(uMap, vec2(.5)).r, 1., 1e-9 * x, 1.);\n}\n");
     save("slow.glib",
          "Ortho -1 1 -1 1\nTexture2D 5 16 16\nRenderToTexture 5\nVertex paint.vert\nFragment time.frag\nProgram Time\n"
-         "QuadXY 0. 9.\nRenderToTexture\nFragment paint.frag\nProgram Paint uMap 5 uRounds <1. 2500. 3000.>\n"
-         "QuadXY 0. 9.\n");
+         "QuadXY 0. 9.\nRenderToTexture\nFragment paint.frag\nProgram Paint uMap 5 uRounds <1. " +
+             std::string(slow) + ". 3000.>\nQuadXY 0. 9.\n");
     open("slow.glib", {"--no-specialise"});
     user("key space");
     settle();
@@ -294,7 +295,7 @@ TEST_F(SlowPictures, AreCoarseOnceOneTookLongWhateverTheTextSays) {
     const std::string dear = "x += sin(x + cos(x * 1.7)) + exp(-x * x) * pow(abs(x) + .1, 1.3);";
     save("paint.frag",
          "uniform float uPhase;\nvoid main() {\n    float x = gl_FragCoord.x + uPhase;\n"
-         "    for (int i = 0; i < 600; ++i) { " +
+         "    for (int i = 0; i < 450; ++i) { " +
              dear +
              " }\n"
              "    gl_FragColor = vec4(0., 1., 1e-9 * x, 1.);\n}\n");
@@ -346,11 +347,13 @@ TEST_F(SlowPictures, AreSharpFromTheStartWhereNoneMayBeCoarse) {
     save("paint.vert", "varying vec3 vAt;\nvoid main() { vAt = gl_Vertex.xyz; gl_Position = ftransform(); }\n");
     save("paint.frag",
          "uniform float uRounds;\nvarying vec3 vAt;\nvoid main() {\n    float x = vAt.x + 3. * vAt.y;\n"
-         "    for (int i = 0; i < 60000 && float(i) < uRounds; ++i) x += .1 * sin(x + vAt.z);\n"
-         "    gl_FragColor = vec4(fract(3. * x), fract(9. * vAt.y), 20. * dFdx(vAt.z), 1.);\n}\n");
+         "    for (int i = 0; i < 60000 && float(i) < uRounds; ++i) {\n        " +
+             std::string(left_alone) +
+             "\n        x += .1 * sin(x + vAt.z);\n    }\n"
+             "    gl_FragColor = vec4(fract(3. * x), fract(9. * vAt.y), 20. * dFdx(vAt.z), 1.);\n}\n");
     save("slow.glib",
          "Perspective 50\nLookAt 0 0 3  0 0 0  0 1 0\nVertex paint.vert\nFragment paint.frag\n"
-         "Program Paint uRounds <1. 800. 9000.>\nSphere 1. 40 40\nTranslate .9 .4 .3\nSphere .5 40 40\n");
+         "Program Paint uRounds <1. 1200. 9000.>\nSphere 1. 40 40\nTranslate .9 .4 .3\nSphere .5 40 40\n");
     open("slow.glib", {"--no-specialise"});
     EXPECT_EQ(drawn(), coarse_then_sharp);
     const Picture strips = look();

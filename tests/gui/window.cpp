@@ -178,10 +178,13 @@ TEST_F(Window, IncludedScenesIncludedShadersAndImagesAreWatchedToo) {
 TEST_F(Window, ABrokenEditKeepsTheLastGoodPictureAndSaysWhatIsWrong) {
     open("scene.glib");
     const auto frames = state()["frames"];
+    user("key ctrl+1");
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"] == "snapshot 1 is in scene.snapshots.json"; }));
     save("paint.frag", fragment(".6 + nonsense"));
     ASSERT_TRUE(wait([](const json& s) { return s["errors"] > 0; }));
     settle();
     const json broken = state();
+    EXPECT_EQ(broken["notice"], "") << "that is no outcome of the edit";
     EXPECT_TRUE(broken["stale"]);
     EXPECT_TRUE(broken["widgets"].contains("problems.hide")) << "the messages lie over the picture";
     const std::string problems = broken["problems"];
@@ -352,6 +355,45 @@ TEST_F(Window, MessagesNameFilesFromTheScenesFolderAndPrintThemWhole) {
     EXPECT_LT(place[2], 20 * 9) << "no more than paint.frag:3:45";
     EXPECT_NE(std::string(state()["problems"]).find(file("paint.frag") + ":3:"), std::string::npos);
     EXPECT_NE(bytes("out/errors").find(file("paint.frag") + ":3:"), std::string::npos);
+}
+
+TEST_F(Window, WhatTheLintsFindIsCountedBelowThePictureAndListedOnRequest) {
+    save("scene.glib", std::string(scene).replace(14, 0, "Ladder WAY plain <power>\n"));
+    // llvmpipe's own warning about the loop is there before the picture, and is not told twice.
+    save("paint.vert",
+         "#version 330 compatibility\nvoid main() {\n    float x = 0.;\n"
+         "    for (int i = 0; i < 70000; ++i) x += gl_Vertex.x;\n    gl_Position = ftransform() + x * 1e-20;\n}\n");
+    save("paint.frag", fragment("\n#if WAY == 1\n    pow(uRed - .5, 2.)\n#else\n    .4\n#endif\n"));
+    const auto told = [](const json& s, const std::string& code) {
+        const std::string text = s["problems"];
+        int count = 0;
+        for (std::size_t at = text.find(code); at != text.npos; at = text.find(code, at + 1)) ++count;
+        return count;
+    };
+    const auto powers = [&](int count) {
+        return wait(
+            [&](const json& s) { return told(s, "[pow-of-negative]") == count && s["widgets"].contains("problems"); });
+    };
+    open("scene.glib");
+    ASSERT_TRUE(powers(1)) << state()["problems"];
+    EXPECT_EQ(told(state(), "[many-rounds]"), 1) << state()["problems"];
+    EXPECT_EQ(state()["errors"], 0);
+    EXPECT_FALSE(state()["widgets"].contains("problems.panel")) << "nothing lies over the picture";
+    click("problems");
+    EXPECT_TRUE(wait([](const json& s) { return s["widgets"].contains("problems.panel"); }));
+    keep("lints");
+    click("problems.hide");
+    for (const auto& [rung, count] : {std::pair("WAY.plain", 0), std::pair("WAY.power", 1)}) {
+        click("WAY");
+        click(rung);
+        EXPECT_TRUE(powers(count)) << rung << state()["problems"];
+        EXPECT_EQ(told(state(), "[many-rounds]"), 1) << state()["problems"];
+    }
+    save("paint.vert", vertex);
+    save("paint.frag", fragment(".4"));
+    EXPECT_TRUE(wait([&](const json& s) { return told(s, "[many-rounds]") == 0; }));
+    EXPECT_TRUE(idle());
+    EXPECT_EQ(told(state(), "[pow-of-negative]"), 0) << state()["problems"];
 }
 
 TEST_F(Window, WhatCanNotBeOpenedHasAnExitStatus) {

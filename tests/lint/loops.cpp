@@ -35,6 +35,13 @@ TEST(LintLoops, LoopsInLoopsAndOneAfterTheOther) {
                              "float far(float y) { for (int k = 0; k < 300; ++k) y += 1.; return y; }\n")));
     EXPECT_TRUE(
         told(looping("for (int i = 0; i < n; ++i) for (int k = 0; k < n; ++k) x += 1.;", "", "const int n = 300;\n")));
+    for (const std::string kind : {"const int", "int"}) {
+        const std::string square = "for (int i = 0; i < n; ++i) for (int k = 0; k < n; ++k) x += 1.;";
+        EXPECT_TRUE(told(looping(kind + " n = 300; " + square))) << kind;
+        EXPECT_FALSE(told(looping(kind + " n = 200; " + square))) << kind;
+    }
+    EXPECT_FALSE(
+        told(looping("int n = 300; for (int i = 0; i < n; ++i) { for (int k = 0; k < n; ++k) x += 1.; n = uM; }")));
 }
 
 // Bounds that the counters of the loops around set: the sum is that of a triangle.

@@ -312,9 +312,12 @@ protected:
 TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
     explanation_.paid.push_back({.kind = Explanation::Kind::image, .name = "wall.bmp", .why = "read", .bytes = 4096});
     explanation_.paid.push_back({.kind = Explanation::Kind::mesh, .name = "Sphere", .why = "drawn", .bytes = 100});
-    const Span one{0, 10, 20}, other{0, 30, 40};
-    for (const auto& [name, span] : {std::pair("Slow", one), {"Slow, for any values", one}, {"Fast", other}})
-        explanation_.paid.push_back({.kind = Explanation::Kind::program, .name = name, .why = "drawn", .span = span});
+    const auto program = [](const char* name, const std::vector<Index>& programs) {
+        return Explanation::Paid{
+            .kind = Explanation::Kind::program, .name = name, .why = "drawn", .programs = programs};
+    };
+    for (const auto& [name, index] : {std::pair("Slow", 0), {"Slow, for any values", 0}, {"Fast", 1}})
+        explanation_.paid.push_back(program(name, {static_cast<Index>(index)}));
     explanation_.unpaid.push_back({"Noise3", "inactive"});
     memory_.tab = Tab::tools;
     click(place("costs"));
@@ -323,6 +326,13 @@ TEST_F(CostsPanel, FoldsWhatIsPaidForByKind) {
     EXPECT_TRUE(has("costs.Images"));
     EXPECT_TRUE(has("costs.Meshes"));
     EXPECT_TRUE(has("costs.title.Programs: 2, in 3 forms"));
+    std::erase_if(explanation_.paid, [](const auto& paid) { return !paid.programs.empty(); });
+    explanation_.paid.push_back(program("Ball", {0, 1, 2}));
+    explanation_.paid.back().frame = FrameCost{0, 16.2, {}};
+    EXPECT_TRUE(has("costs.title.Programs: 3, 1 compiled"));
+    click(place("costs.Programs"));
+    EXPECT_TRUE(has("costs.row.Ball and 2 more"));
+    EXPECT_TRUE(has("costs.amount.16.2 ms a frame"));
     EXPECT_TRUE(has("costs.title.Images: 1"));
     EXPECT_TRUE(has("costs.Not loaded"));
     EXPECT_FALSE(has("costs.Noise")) << "none of it";

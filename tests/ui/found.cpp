@@ -128,6 +128,16 @@ TEST_F(FoundPanel, TooltipsSayWhatEachErrorIs) {
     EXPECT_NE(said(place("accuracy.error"), .5).find("Worst"), std::string::npos);
 }
 
+TEST_F(FoundPanel, ALegendSaysWhatNumbersAndFlipAre) {
+    const std::string numbers = "found.legend.The number before a change names it for 'snell accuracy --apply'.";
+    found_.asked = true;
+    EXPECT_FALSE(has(numbers));
+    add("1").error = .01;
+    EXPECT_TRUE(has(numbers));
+    found_.rows.back().flip = .1;
+    EXPECT_TRUE(has(numbers + " FLIP is how visible an error is, from 0 to 1."));
+}
+
 TEST_F(FoundPanel, EachGroupHasItsHeading) {
     add("1").error = .01;
     EXPECT_TRUE(has("found.heading.Cheaper"));

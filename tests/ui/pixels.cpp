@@ -57,6 +57,7 @@ TEST_F(UiPixels, TheInspectorIsSeenWholeAndLeavesThePointerFree) {
         EXPECT_TRUE(inside(box, memory_.scene)) << x << ", " << y;
         EXPECT_FALSE(box.contains(x, y));
     }
+    EXPECT_TRUE(has("inspector.depth.depth 0.98765 (0 near, 1 far)"));
     const Rect whole = place("inspector"), last = place("inspector.place");
     EXPECT_LT(last.y + last.height, whole.y + whole.height) << "its last line is not cut";
     // Where neither side has room, it is above or below.

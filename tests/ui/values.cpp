@@ -144,6 +144,44 @@ TEST_F(Values, LeavingAFieldAppliesItsNumberOrRestoresTheOldOne) {
     EXPECT_FALSE(kit().remark.shown) << "until the next press";
 }
 
+// What is above the field is drawn, and pressed, before the field knows that it is left.
+TEST_F(Values, APressOnAnotherNumberLeavesTheFieldFirst) {
+    for (const char* name : {"uUp", "uMid", "uDown"}) add_slider(name, 0, 3, 9, ValueType::int_);
+    for (const char* other : {"Glass.uUp", "Glass.uDown"})
+        for (const auto& [text, taken] : {std::pair("4", 4.), {"99999999999", 3.}, {"two", 3.}})
+            for (const bool entered : {false, true}) {
+                const Rect at = place("Glass.uMid"), track = place(other);
+                click({at.x + at.width + 8, at.y, 8, at.height});
+                write(text);
+                if (entered) press(Key::enter);
+                click({track.x + track.width + 8, track.y, 8, track.height});
+                EXPECT_EQ(value(1), taken) << text << " before " << other;
+                EXPECT_EQ(controls_.items[1].max, 9);
+                EXPECT_EQ(kit().remark.shown, taken == 3) << text;
+                type("5");
+                EXPECT_EQ(value(other == std::string("Glass.uUp") ? 0 : 2), 5) << "the press is not lost";
+                for (const std::size_t i : {0, 1, 2}) controls_.items[i].value[0] = 3;
+            }
+}
+
+TEST_F(Values, CommandsTakeTheNumberThatIsTyped) {
+    add_slider("uUp", 0, 3, 9);
+    for (const Key command : {Key::s, Key::o}) {
+        open("Glass.uUp");
+        write("x");
+        frame({{.kind = Event::Kind::key, .key = command, .down = true, .modifiers = {.ctrl = true}}});
+        EXPECT_FALSE(requests_.save || memory_.browser.open) << "of what is no number nothing is saved";
+        EXPECT_EQ(kit().remark.text, "'x' is not a number");
+        press(command);
+        open("Glass.uUp");
+        write(command == Key::s ? "4" : "5");
+        frame({{.kind = Event::Kind::key, .key = command, .down = true, .modifiers = {.ctrl = true}}});
+        EXPECT_EQ(value(), command == Key::s ? 4 : 5);
+        EXPECT_TRUE(requests_.save || memory_.browser.open);
+        press(command);
+    }
+}
+
 TEST_F(Values, AClickOnTheNumberBesideASliderEditsIt) {
     add_slider("uEta", 0, .5, 10);
     const Rect track = place("Glass.uEta");

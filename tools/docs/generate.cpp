@@ -182,7 +182,8 @@ std::string lints() {
     std::string out =
         "# Lints\n\nProbable mistakes that `snell check` finds in scenes that run. Each is a warning or a note with "
         "its "
-        "place; the exit status\nstays 0, and `--no-lint` leaves them out. Shaders are followed from `main` through "
+        "place; the exit status\nstays 0, and `--no-lint` leaves them out. The window lists the warnings. Shaders are "
+        "followed from `main` through "
         "the "
         "functions it calls. Only what is\ncertain is reported. `snell help CODE` prints the page of a code. Written "
         "by snell_docs from the table in "

@@ -87,7 +87,7 @@ std::optional<std::string> Opener::serve(const ui::Requests& requests, const std
             memory.notice = started.program + " opens " + file_name(place.file);
             memory.failures.done(ui::Failure::Remedy::editor);
         } else {
-            memory.failures.add({started.error, ui::Failure::Remedy::editor, place});
+            memory.failed({started.error, ui::Failure::Remedy::editor, place});
         }
     }
     if (requests.set_editor) ui::open_save_as(memory.set_editor, settings_.editor);
@@ -127,7 +127,7 @@ std::optional<std::string> Opener::serve_dropped(const std::vector<std::string>&
     for (const std::string& path : paths)
         if (is_folder(path) || has_extension(path, "glib")) return scene_at(path, memory);
     if (!paths.empty())
-        memory.failures.add({"no .glib scene: " + file_name(paths[0]), ui::Failure::Remedy::open, {paths[0], 1, 1}});
+        memory.failed({"no .glib scene: " + file_name(paths[0]), ui::Failure::Remedy::open, {paths[0], 1, 1}});
     return std::nullopt;
 }
 
@@ -154,8 +154,7 @@ bool Opener::look(ui::Memory& memory) {
     const bool pictured = gallery_.look();
     std::string said = editor_.look();
     if (said.empty()) return pictured;
-    memory.failures.add({std::move(said), ui::Failure::Remedy::editor, edited_});
-    memory.notice.clear();  // it said that the editor opens the file
+    memory.failed({std::move(said), ui::Failure::Remedy::editor, edited_});
     return true;
 }
 

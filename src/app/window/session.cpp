@@ -9,6 +9,7 @@
 #include "src/app/desktop/folder.h"
 #include "src/app/open/warnings.h"
 #include "src/content/files.h"
+#include "src/lint/lint.h"
 
 namespace snell {
 
@@ -180,6 +181,17 @@ void Session::drawn_well() {
     for (const Diagnostic& cost : costs.items()) tell(cost, shown_->sources);
 }
 
+bool Session::lint() {
+    if (!drawn_well_ || stale_ || std::exchange(linted_, true)) return false;
+    plan_.rungs = shown_->controls.rungs;
+    Sources sources = shown_->sources;  // a copy, because those of the document are compared with the next reading's
+    const std::size_t before = problems_.size();
+    const Diagnostics found = lint::check(plan_, sources, shader_includes(*shown_->files));
+    for (const Diagnostic& diagnostic : found.items())
+        if (ranges::count(printed_, render(diagnostic, sources)) == 0) tell(diagnostic, sources);
+    return problems_.size() > before;
+}
+
 void Session::take(std::unique_ptr<Document> read) {
     problems_.clear();
     printed_.clear();
@@ -199,7 +211,7 @@ void Session::take(std::unique_ptr<Document> read) {
     keep_shown();
     shown_ = std::move(read);
     plan_ = std::move(read_plan_);
-    drawn_well_ = false;
+    drawn_well_ = linted_ = false;
     if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
 }
 
@@ -265,6 +277,7 @@ bool Session::follow_rungs() {
     printed_.resize(file_problems_);
     for (const Diagnostic& diagnostic : found.items()) tell(diagnostic, shown_->sources);
     errors_ = file_errors_ + found.errors();
+    linted_ = false;
     return true;
 }
 

@@ -32,6 +32,9 @@ public:
     // Tells that the shown document was drawn without problems, with its current values. What the picture was found to
     // cost becomes a problem.
     void drawn_well();
+    // Adds what `snell check` would find by its lints in the shown document, once its picture was drawn. Returns true
+    // if that is anything; until the scene is read again, or rungs are chosen, it is looked for once.
+    bool lint();
     // Returns the last state that was drawn without problems, for use after the loss of the context. The session then
     // shows nothing any more.
     std::shared_ptr<const Kept> salvage();
@@ -98,6 +101,7 @@ private:
     std::unique_ptr<Document> shown_;
     Plan plan_, read_plan_;  // of shown_; of the last reading
     bool drawn_well_ = false;
+    bool linted_ = false;
     std::string by_hand_;
     bool recovering_ = false;  // until the scene is read: values that are not in by_hand_ are those of the text
     Remembered memory_;        // values that shown_ does not have, and those with which it began

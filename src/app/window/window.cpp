@@ -395,7 +395,8 @@ bool App::look() {
         keep_picture();
     const bool saved = workspace_.session().saved();
     if (saved) reload();
-    return workspace_.look(interface_.view(), interface_.memory()) || saved;
+    const bool linted = now > touched_ + until_still && workspace_.session().lint();
+    return workspace_.look(interface_.view(), interface_.memory()) || saved || linted;
 }
 
 bool App::specialise() {
@@ -445,7 +446,7 @@ void App::show_scene(const std::optional<std::string>& path) {
             browser.open = browser.focus = true;
             return;
         }
-        interface_.memory().failures.add({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
+        interface_.memory().failed({utf8::printable(problem), ui::Failure::Remedy::open, {*path, 1, 1}});
         return;
     }
     opened_at_ = kept_frame_ = display_.counters().frames;

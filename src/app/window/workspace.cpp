@@ -78,7 +78,9 @@ void Workspace::report() {
 }
 
 void Workspace::reload(View& view, ui::Memory& memory) {
+    const std::size_t before = session_.errors();
     session_.reload();
+    if (session_.errors() > before) memory.notice.clear();  // it is older than the edit
     if (std::string said = past_.reread(session_, view, memory.animated); !said.empty())
         memory.notice = std::move(said);
     report();
@@ -95,11 +97,12 @@ bool Workspace::look(const View& view, ui::Memory& memory) {
     const bool saved = !said.empty();
     // The reason is longer than the status line, and comes when the user may be at something else.
     const bool failed = said.find(" is not saved: ") != said.npos;
-    if (failed)
-        memory.failures.add({said, ui::Failure::Remedy::page});
-    else if (saved)
+    if (failed) {
+        memory.failed({std::move(said), ui::Failure::Remedy::page});
+    } else if (saved) {
         memory.failures.done(ui::Failure::Remedy::page);
-    if (saved) memory.notice = failed ? "" : std::move(said);
+        memory.notice = std::move(said);
+    }
     return opener_.look(memory) || saved;
 }
 
@@ -172,9 +175,9 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
             // What has changed is read already, or is no file of the scene.
             std::error_code unknown;
             if (undone.starts_with("not "))
-                memory.failures.add({undone, std::filesystem::exists(session_.path(), unknown)
-                                                 ? ui::Failure::Remedy::none
-                                                 : ui::Failure::Remedy::save_as});
+                memory.failed({undone, std::filesystem::exists(session_.path(), unknown)
+                                           ? ui::Failure::Remedy::none
+                                           : ui::Failure::Remedy::save_as});
             else
                 memory.notice = undone;
             memory.failures.exchanged(undone);

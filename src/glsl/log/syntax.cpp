@@ -47,7 +47,8 @@ bool hint_unknown_type(std::string_view type, const Span& span, bool first, Diag
 
 bool ends_operand(std::string_view word) {
     const char c = word.empty() ? ' ' : word.back();
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || c == '.';
+    const bool number = c == '.' && word.size() > 1;  // a '.' alone is that of a member
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == ')' || c == ']' || number;
 }
 
 bool foreign_character(std::string_view word) {
@@ -194,6 +195,20 @@ bool hint_body(const Around& a, Diagnostic& diagnostic) {
     return true;
 }
 
+// `vec3 n = normalize(vN) vec3 i`: whether a declaration begins at `at`, in the line of the value before it.
+bool declares_after_value(const Around& a) {
+    if (a.depth == 0 || a.parens != 0 || a.at + 1 >= a.all.size() || !a.all[a.at + 1].name) return false;
+    if (!builtin_type(a.word(a.at)) || !ends_operand(a.before()) || a.all[a.at - 1].line != a.all[a.at].line)
+        return false;
+    int open = 0;
+    for (std::size_t i = a.at; i-- > 1 && !is_one_of(a.word(i), "; { }");) {
+        open += a.word(i) == ")" ? 1 : a.word(i) == "(" ? -1 : 0;
+        const bool called = a.word(i) == "(" && a.all[i - 1].name && !is_one_of(a.word(i - 1), "if while switch");
+        if (open == 0 && (called || a.word(i) == "=") && i + 1 < a.at) return true;
+    }
+    return false;
+}
+
 bool hint_semicolon(Around a, const Place& place, Diagnostic& diagnostic) {
     const int line = a.all[a.at].line;
     const bool opens = a.word(a.at) == "{";
@@ -210,9 +225,9 @@ bool hint_semicolon(Around a, const Place& place, Diagnostic& diagnostic) {
     if (a.at == 0 || a.parens != 0 || opens || !(structure || ends_operand(a.before()))) return false;
     const Word& before = a.all[a.at - 1];
     const bool new_line = before.line < line;
-    if (!new_line && !structure && a.word(a.at) != "}") return false;
+    if (!new_line && !structure && a.word(a.at) != "}" && !declares_after_value(a)) return false;
     diagnostic.help = new_line ? fmt::format("line {} seems to lack a ';' at its end", before.line)
-                               : std::string("a ';' is missing before the '}'");
+                               : fmt::format("a ';' is missing before '{}'", a.word(a.at));
     tell_semicolon(a, place, structure || diagnostic.message.starts_with("syntax error ("), diagnostic);
     return true;
 }
@@ -273,12 +288,17 @@ bool is_number(std::string_view word) {
     return std::isdigit(static_cast<unsigned char>(word[0])) != 0 || (word[0] == '.' && word.size() > 1);
 }
 
-// The first word in the line of `a.at` that is an operand right after another.
-std::optional<std::size_t> operand_in_line(const Around& a) {
-    for (std::size_t i = a.at; i < a.all.size() && a.all[i].line == a.all[a.at].line; ++i) {
-        const Around here = around(a.text, a.all, a.all[i].begin);
-        if (second_operand(here, is_number(a.word(i))) && !builtin_type(here.before())) return i;
-    }
+// Whether the word at `at` is an operand, or begins a declaration, right after another operand.
+bool after_operand(const Around& a) {
+    return (second_operand(a, is_number(a.word(a.at))) && !builtin_type(a.before())) || declares_after_value(a);
+}
+
+// The first such word in the line of `a.at`; `word`: that is this one, if it is not empty.
+std::optional<std::size_t> operand_in_line(const Around& a, std::string_view word) {
+    for (std::size_t i = 0; i < a.all.size(); ++i)
+        if (a.all[i].line == a.all[a.at].line && (word.empty() || a.word(i) == word) &&
+            after_operand(around(a.text, a.all, a.all[i].begin)))
+            return i;
     return std::nullopt;
 }
 
@@ -371,8 +391,12 @@ void hint_syntax(const Place& place, const Context& context, Diagnostic& diagnos
     const std::string_view text = context.sources.text(place.file);
     Around a = around(text, context.texts.words(place.file), place.span.begin);
     if (a.at < a.all.size()) {
-        // Where the compiler names no word, the place is that of the whole line.
-        if (const auto found = operand_in_line(a); found && diagnostic.message.starts_with("syntax error (")) {
+        // Where the compiler names no word, the place is that of the whole line; its column may be that of another such
+        // word.
+        const bool unnamed = diagnostic.message.starts_with("syntax error (");
+        const auto found =
+            unnamed || !after_operand(a) ? operand_in_line(a, unnamed ? "" : a.word(a.at)) : std::nullopt;
+        if (found) {
             a = around(text, context.texts.words(place.file), a.all[*found].begin);
             diagnostic.span = a.span(place.file, a.at);
         }

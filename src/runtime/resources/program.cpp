@@ -161,12 +161,28 @@ glsl::Translation translate(const LinkRequest& request, Diagnostics& diagnostics
 
 namespace {
 
+// Mesa names limits without their numbers.
+std::string with_limits(std::string log) {
+    constexpr std::pair<std::string_view, GLenum> limits[]{
+        {"GL_MAX_GEOMETRY_OUTPUT_VERTICES", GL_MAX_GEOMETRY_OUTPUT_VERTICES},
+        {"GL_MAX_GEOMETRY_SHADER_INVOCATIONS", GL_MAX_GEOMETRY_SHADER_INVOCATIONS},
+        {"GL_MAX_PATCH_VERTICES", GL_MAX_PATCH_VERTICES}};
+    for (const auto& [name, which] : limits)
+        for (std::size_t at = log.find(name); at != log.npos; at = log.find(name, at + 1)) {
+            GLint most = 0;
+            glGetIntegerv(which, &most);
+            log.insert(at + name.size(), fmt::format(" ({})", most));
+        }
+    return log;
+}
+
 // What the driver says of a shader that it does not compile.
 void explain_shader(const std::string& log, const glsl::StageOutput& stage, const glsl::Translation& translation,
                     const LinkRequest& request, Diagnostics& diagnostics) {
     const std::string whole = log_with_includes(stage);
-    glsl::explain_log(whole.empty() ? log : whole, translation, &stage, request.program.span, request.program.name,
-                      request.sources, diagnostics, whole.empty() ? glsl::Lines::numbered : glsl::Lines::unnumbered);
+    glsl::explain_log(with_limits(whole.empty() ? log : whole), translation, &stage, request.program.span,
+                      request.program.name, request.sources, diagnostics,
+                      whole.empty() ? glsl::Lines::numbered : glsl::Lines::unnumbered);
 }
 
 void explain_link(const std::string& log, const glsl::Translation& translation, const LinkRequest& request,

@@ -132,6 +132,11 @@ double key_steps(ImGuiID id) {
 
 void type_number(ImGuiID id, double value) {
     Typing& typing = kit().typing;
+    if (typing.id != 0 && typing.id != id) {
+        typing.next = id;
+        typing.next_value = value;
+        return;
+    }
     typing.id = id;
     typing.fresh = typing.selected = typing.drawn = true;
     typing.text = {};
@@ -145,6 +150,12 @@ bool is_typed(ImGuiID id) {
     if (kit().typing.id == id) return true;
     if (focus.at != id || !focus.passed) return false;
     return focus.opens || (!ImGui::GetIO().WantTextInput && (pressed(Key::enter) || pressed(Key::keypad_enter)));
+}
+
+bool leave_field() {
+    if (kit().typing.id == 0) return false;
+    ImGui::ClearActiveID();
+    return true;
 }
 
 bool refused() { return kit().remark.shown; }

@@ -10,6 +10,7 @@
 #include <imgui_internal.h>
 
 #include "parser/text/ranges.h"
+#include "src/ui/kit/field.h"
 #include "src/ui/kit/input.h"
 #include "src/ui/kit/widgets.h"
 
@@ -167,6 +168,8 @@ void end_kit() {
     Kit& kit = ui::kit();
     move_focus(kit.focus);
     if (!kit.typing.drawn) kit.typing.id = 0;
+    if (const unsigned next = std::exchange(kit.typing.next, 0); next != 0 && kit.typing.id == 0)
+        type_number(next, kit.typing.next_value);
     kit.typing.drawn = false;
     follow_tip(kit.tip, kit.next_tip);
     if (kit.remark.shown)

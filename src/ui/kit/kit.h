@@ -74,6 +74,9 @@ struct Typing {
     bool fresh = false;     // the field opens in this frame
     bool selected = false;  // the field opens with its text selected
     bool drawn = false;     // in this frame
+    // A field that was pressed while this one is typed in, and its value: it opens once this one has taken its number.
+    unsigned next = 0;
+    double next_value = 0;
 };
 
 // A text next to an item.

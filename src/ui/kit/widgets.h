@@ -119,6 +119,8 @@ struct NumberLimits {
 // Draws a field to type a number into, or to drag, for numbers without a range. Right-click to reset to `initial`.
 bool number(const char* id, double& value, ValueType type, double initial, float width,
             const NumberLimits& limits = {});
+// Ends the typing of a number as a press beside its field does, if one is typed; returns whether.
+bool leave_field();
 // True in the press that left a field whose text was refused: a button that takes the number does nothing then.
 bool refused();
 

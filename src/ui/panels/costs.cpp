@@ -189,6 +189,7 @@ void line(const Facts& facts, const std::string& name, const std::string& amount
     ImGui::BeginGroup();
     fitted(name, width - taken);
     right_text(amount, right);
+    if (!amount.empty()) layout.note("costs.amount", amount);
     ImGui::EndGroup();
     const ImGuiID id = ImGui::GetID(name.c_str());
     or_keys(false, id);
@@ -207,17 +208,17 @@ void line(const Facts& facts, const std::string& name, const std::string& amount
 std::string amount_of(const Paid& paid) {
     if (paid.frame) {
         const FrameCost& cost = *paid.frame;
-        return milliseconds_text(cost.gpu ? *cost.gpu : std::max(cost.cpu, cost.wall));
+        return milliseconds_text(cost.gpu ? *cost.gpu : std::max(cost.cpu, cost.wall)) + " a frame";
     }
     if (paid.kind == Kind::pass) return paid.kept ? "kept" : counted(paid.draws.size(), "draw");
     return paid.bytes > 0 ? bytes_text(paid.bytes) : std::string();
 }
 
-// `forms`: as how many it is listed, where these are more than there are.
-bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout, std::size_t forms = 0) {
+// `more`: what follows the number.
+bool branch(const char* name, std::size_t count, const std::string& amount, Layout& layout,
+            std::string_view more = {}) {
     const float right = ImGui::GetContentRegionMax().x;
-    Text title("{}: {}", name, count);
-    if (forms > count) title.add(", in {} forms", forms);
+    const Text title("{}: {}{}", name, count, more);
     const float taken = amount.empty() ? 0 : width_of(amount) + ImGui::GetStyle().ItemSpacing.x;
     const Text shown = shortened(
         title.view(), std::max(1.0F, ImGui::GetContentRegionAvail().x - ImGui::GetTreeNodeToLabelSpacing() - taken));
@@ -244,21 +245,25 @@ void paid_for(const Facts& facts, Layout& layout) {
     for (const auto& [kind, title] : kinds) {
         std::size_t count = 0;
         std::uint64_t bytes = 0;
-        std::set<std::pair<FileId, std::uint32_t>> statements;
+        std::set<Index> programs;
         for (const Paid& paid : facts.explanation->paid)
             if (paid.kind == kind) {
                 ++count;
                 bytes += paid.bytes;
-                if (paid.span) statements.emplace(paid.span->file, paid.span->begin);
+                programs.insert(paid.programs.begin(), paid.programs.end());
             }
-        const std::size_t listed = count;
-        if (kind == Kind::program && !statements.empty()) count = statements.size();
-        if (count == 0 || !branch(title, count, bytes > 0 ? bytes_text(bytes) : "", layout, listed)) continue;
+        std::string more;  // some programs have several forms, others share one
+        if (!programs.empty() && count > programs.size()) more = fmt::format(", in {} forms", count);
+        if (count < programs.size()) more = fmt::format(", {} compiled", count);
+        if (!programs.empty()) count = programs.size();
+        if (count == 0 || !branch(title, count, bytes > 0 ? bytes_text(bytes) : "", layout, more)) continue;
         for (const Paid& paid : facts.explanation->paid)
             if (paid.kind == kind) {
                 const std::string loaded =
                     paid.load_ms ? fmt::format("\nloading time: {}", milliseconds_text(*paid.load_ms)) : "";
-                line(facts, paid.name, amount_of(paid), paid.why + loaded, paid.span, layout);
+                const std::size_t others = std::max<std::size_t>(paid.programs.size(), 1) - 1;
+                const std::string name = others > 0 ? fmt::format("{} and {} more", paid.name, others) : paid.name;
+                line(facts, name, amount_of(paid), paid.why + loaded, paid.span, layout);
             }
         ImGui::TreePop();
     }

@@ -51,12 +51,11 @@ std::string errors_of(const FoundRow& row) {
 }
 
 std::string tip_of(const FoundRow& row) {
-    std::string text = fmt::format("{}: {}\n{}\n\u2192 {}", row.kind, row.meaning, row.before,
+    std::string text = fmt::format("{}, {}: {}\n{}\n\u2192 {}", row.name, row.kind, row.meaning, row.before,
                                    row.after.empty() ? "(nothing)" : row.after);
     if (row.error)
         text += "\nworst error: of all views and values that were tried, over the pixels in which the scene draws";
     if (row.error_here) text += "\nas the scene opens: error " + error_and_flip(*row.error_here, row.flip_here);
-    if (row.flip || row.flip_here) text += "\nFLIP: how much of it is seen, from 0 to 1";
     if (row.of_display) text += fmt::format("\nerror of display values {}", error_text(*row.of_display));
     if (row.front) text += "\nworth its time";
     if (!row.remark.empty()) text += "\n" + row.remark;
@@ -168,6 +167,13 @@ void groups(const Facts& facts, Requests& requests, Layout& layout) {
                                                                      {Group::better, "What the picture lacks"},
                                                                      {Group::unused, "Changes nothing"}}};
     const std::vector<FoundRow>& rows = facts.found->rows;
+    const auto has_flip = [](const FoundRow& row) { return row.flip || row.flip_here; };
+    if (!rows.empty()) {
+        std::string legend = "The number before a change names it for 'snell accuracy --apply'.";
+        if (ranges::any_of(rows, has_flip)) legend += " FLIP is how visible an error is, from 0 to 1.";
+        wrapped(legend, true);
+        layout.note("found.legend", legend);
+    }
     for (const auto& [group, heading] : headings) {
         if (ranges::count(rows, group, &FoundRow::group) == 0) continue;
         ImGui::Spacing();

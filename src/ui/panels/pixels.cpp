@@ -198,7 +198,9 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
         else if (pixels.difference)
             ImGui::TextUnformatted(Text("difference of light {:.4g}", *pixels.difference).c_str());
         if (found.depth) {
-            ImGui::TextUnformatted(Text("depth {:.7g}", *found.depth).c_str());
+            const Text depth("depth {:.7g} (0 near, 1 far)", *found.depth);
+            ImGui::TextUnformatted(depth.c_str());
+            layout.note("inspector.depth", depth.view());
             if (found.distance) ImGui::TextUnformatted(Text("distance from the eye: {:.6g}", *found.distance).c_str());
         }
         ImGui::EndGroup();

@@ -122,6 +122,9 @@ void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
     requests.write_rung_now = save_as_window(memory.write_rung, rung, layout);
     requests.new_scene_now = save_as_window(memory.new_scene, created, layout);
     requests.set_editor_now = save_as_window(memory.set_editor, editor, layout);
+    for (const SaveAs* dialog : {&memory.save_as, &memory.save_page, &memory.write_rung, &memory.new_scene,
+                                 &memory.set_editor, static_cast<SaveAs*>(&memory.picture)})
+        if (dialog->open && !dialog->error.empty()) memory.notice.clear();  // as in Memory::failed
 }
 
 namespace {

@@ -215,6 +215,11 @@ struct Memory {
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all
     std::string notice;             // the outcome of the last request
     Failures failures;
+    // Adds a failure, beside which an earlier outcome no longer is that of the last request.
+    void failed(Failure failure) {
+        notice.clear();
+        failures.add(std::move(failure));
+    }
     NoticeMemory notices;
     bool labels = false;  // shows the values over the picture
     Clock clock;

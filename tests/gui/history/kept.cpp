@@ -238,6 +238,8 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     EXPECT_EQ(red(), slid);
     EXPECT_EQ(view(), turned);
     EXPECT_EQ(notice(), "saved as two.glib");
+    press("7");
+    EXPECT_EQ(notice(), "") << "there is no such snapshot, and nothing beside that looks like its outcome";
     EXPECT_EQ(title().find("\u2022"), std::string::npos) << "everything is saved";
     EXPECT_EQ(state()["errors"], 0);
     EXPECT_EQ(bytes("two.snapshots.json"), bytes("one.snapshots.json"));
@@ -258,6 +260,7 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     user("type --delay 8 other/three");
     press("Return");
     EXPECT_TRUE(state()["widgets"].contains("save as error")) << "its shaders are not there";
+    EXPECT_EQ(notice(), "");
     type("save as file", ".", Field::text);
     EXPECT_TRUE(state()["widgets"].contains("save as error")) << "no name";
     EXPECT_FALSE(std::filesystem::exists(file("..glib")));

@@ -35,10 +35,10 @@ void restore(int number, Document& document, ui::Memory& memory) {
     const Restored restored = restore_snapshot(number, document);
     if (!restored.error.empty()) {
         const bool none = restored.error.starts_with("there is no snapshot");
-        memory.failures.add({restored.error + (none ? fmt::format(". Ctrl+{} stores one", number) : ""),
-                             none ? Remedy::absent : Remedy::recall,
-                             {},
-                             number});
+        memory.failed({restored.error + (none ? fmt::format(". Ctrl+{} stores one", number) : ""),
+                       none ? Remedy::absent : Remedy::recall,
+                       {},
+                       number});
         return;
     }
     const std::string lost =
@@ -111,12 +111,16 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     if (!saved.error.empty()) {
         std::error_code unknown;
         const bool there = std::filesystem::exists(document.path, unknown);
-        memory.failures.add({"not saved: " + saved.error, !there    ? Remedy::save_as
-                                                          : changed ? Remedy::reload
-                                                                    : Remedy::save});
+        memory.failed({"not saved: " + saved.error, !there    ? Remedy::save_as
+                                                    : changed ? Remedy::reload
+                                                              : Remedy::save});
         return;
     }
     memory.failures.done(Remedy::save);
+    std::string unwritten;
+    for (const Unwritten& value : saved.unwritten)
+        unwritten += fmt::format("{}{}: {}", unwritten.empty() ? "not saved: " : "\n", value.name, value.reason);
+    if (!unwritten.empty()) memory.failed({std::move(unwritten), Remedy::save});
     std::string& notice = memory.notice;
     notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
     served.what = "save to";
@@ -126,10 +130,6 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     }
     notice += left_out(saved.moving);
     if (saved.files.empty()) notice += "; the view and moved objects are not written to the scene";
-    std::string unwritten;
-    for (const Unwritten& value : saved.unwritten)
-        unwritten += fmt::format("{}{}: {}", unwritten.empty() ? "not saved: " : "\n", value.name, value.reason);
-    if (!unwritten.empty()) memory.failures.add({std::move(unwritten), Remedy::save});
     served.files = std::move(saved.files);
 }
 
@@ -138,11 +138,11 @@ void Keeper::store(int number, Setup values, ui::Memory& memory, Served& served)
     const std::string before = content::whole_file(file), error = store_snapshot(number, scene_, values);
     look_again();
     if (!error.empty()) {
-        memory.failures.add({fmt::format("snapshot {} is not stored: {}", number, error),
-                             Remedy::store,
-                             {},
-                             number,
-                             std::move(values)});
+        memory.failed({fmt::format("snapshot {} is not stored: {}", number, error),
+                       Remedy::store,
+                       {},
+                       number,
+                       std::move(values)});
         return;
     }
     for (const Remedy mended : {Remedy::store, Remedy::recall, Remedy::absent}) memory.failures.done(mended, number);
@@ -155,7 +155,7 @@ void Keeper::remove(int number, ui::Memory& memory, Served& served) {
     const std::string file = snapshots_file(scene_), before = content::whole_file(file);
     const std::string error = delete_snapshot(number, scene_);
     look_again();
-    if (!error.empty()) return memory.failures.add({fmt::format("snapshot {} is not deleted: {}", number, error)});
+    if (!error.empty()) return memory.failed({fmt::format("snapshot {} is not deleted: {}", number, error)});
     served.what = fmt::format("snapshot {}", number);
     served.files = {{file, before, content::whole_file(file)}};
     memory.notice = fmt::format("snapshot {} is deleted; Ctrl+Z restores it", number);
