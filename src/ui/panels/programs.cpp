@@ -513,7 +513,9 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
     const Scene& scene = *section.facts.scene;
     const std::string files = own_files(scene, section.program);
     ImGui::PushID(section.facts.files.empty() ? "" : section.facts.files[0].path.c_str());
-    ImGui::PushID((section.program.name + files).c_str());
+    Text named(section.program.name);
+    named.append(files);
+    ImGui::PushID(named.begin(), named.end());
     ImGui::PushID(static_cast<int>(std::count_if(
         scene.programs.begin(), scene.programs.begin() + static_cast<std::ptrdiff_t>(index), [&](const Program& other) {
             return other.name == section.program.name && ranges::equal(other.stages, section.program.stages, same_file);
