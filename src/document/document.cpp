@@ -262,6 +262,15 @@ Saved new_texts(const Document& document, std::span<const Animated> moving) {
     }
     WriteBack back = write_back(document.scene(), at_rest(document.controls, moving), document.sources);
     saved.unwritten = std::move(back.unwritten);
+    for (Index i = 0; i < back.programs.size(); ++i)
+        for (std::size_t u = 0; u < back.programs[i].uniforms.size(); ++u) {
+            const UniformValue &before = document.scene().programs[i].uniforms[u],
+                               &after = back.programs[i].uniforms[u];
+            if (after.kind != UniformValue::Kind::range) continue;
+            for (const std::size_t end : {0, 2})
+                if (after.values[end] != before.values[end])
+                    saved.widened.push_back(fmt::format("{} widened to {}", after.name, after.values[end]));
+        }
     for (const Animated& motion : moving)
         if (ranges::find(saved.moving, motion.name) == saved.moving.end()) saved.moving.push_back(motion.name);
     const std::size_t changed = changed_values(document, moving);

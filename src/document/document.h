@@ -93,9 +93,10 @@ struct SavedFile {
 struct Saved {
     std::vector<SavedFile> files;
     std::vector<Unwritten> unwritten;
-    std::vector<std::string> moving;  // names of uniforms that move by themselves: they keep the scene's values
-    std::size_t values = 0;           // the number of values and rungs that are written
-    std::string error;                // why nothing can be written; `files` is then empty
+    std::vector<std::string> moving;   // names of uniforms that move by themselves: they keep the scene's values
+    std::vector<std::string> widened;  // ranges that reach to their new values: "uEta widened to 50"
+    std::size_t values = 0;            // the number of values and rungs that are written
+    std::string error;                 // why nothing can be written; `files` is then empty
 };
 
 // The number of uniforms and ladders that differ from the scene, without values that move by themselves.

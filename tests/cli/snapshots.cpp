@@ -293,6 +293,9 @@ TEST_F(Kept, ASliderThatMovesKeepsTheScenesNumber) {
     auto again = read();
     keeper.serve({.save = true}, *again, {}, memory);
     EXPECT_EQ(memory.notice, "nothing to save; the view and moved objects are not written to the scene");
+    named(*again, "uA").value = {50};
+    keeper.serve({.save = true}, *again, {}, memory);
+    EXPECT_EQ(memory.notice, "1 value saved to s.glib; range of uA widened to 50");
 }
 
 TEST_F(Kept, AFileThatChangedMeanwhileIsNotOverwritten) {

@@ -234,7 +234,17 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
     frame({key(Key::enter, true)});
     frame({key(Key::enter, false)});
     EXPECT_EQ(memory_.accuracy.left, "uIndex=2.4");
-    states_.sides[0].name = memory_.accuracy.left;
+    states_.sides[0] = {.name = memory_.accuracy.left, .label = "uIndex=2.4: no such uniform", .failed = true};
+    EXPECT_TRUE(has("left.settings")) << "a text that is refused stays";
+    EXPECT_STREQ(memory_.accuracy.settings.data(), "uIndex=2.4");
+    EXPECT_TRUE(ImGui::GetIO().WantTextInput) << "what is typed next is no shortcut";
+    EXPECT_TRUE(kit().remark.shown);
+    EXPECT_EQ(kit().remark.text, "uIndex=2.4: no such uniform");
+    states_.sides[0].failed = false;
+    frame({key(Key::enter, true)});
+    frame({key(Key::enter, false)});
+    EXPECT_FALSE(has("left.settings"));
+    EXPECT_FALSE(kit().remark.shown);
     states_.sides[1].name = memory_.accuracy.right;
     click(place("accuracy.swap"));
     EXPECT_EQ(memory_.accuracy.left, "saved");

@@ -42,7 +42,9 @@ TEST(UiNumbers, TypedNumbersAreFiniteFloats) {
     EXPECT_EQ(typed(".5", ValueType::float_), .5);
     EXPECT_EQ(typed("5.", ValueType::float_), 5.);
     EXPECT_EQ(typed("1e-3", ValueType::float_), 1e-3);
-    EXPECT_EQ(typed("2.6", ValueType::int_), 3.);
+    EXPECT_EQ(typed("3.", ValueType::int_), 3.);
+    for (const ValueType type : {ValueType::int_, ValueType::uint_})
+        for (const char* text : {"2.6", "7,2", "7/2"}) EXPECT_EQ(typed(text, type), std::nullopt) << text;
     for (const char* text : {"", "+", "nan", "inf", "1e39", "0x10", "1 2", "+-1", "1e400"})
         EXPECT_EQ(typed(text, ValueType::float_), std::nullopt) << text;
     EXPECT_EQ(typed("3e9", ValueType::int_), std::nullopt);

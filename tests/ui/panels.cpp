@@ -514,6 +514,11 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
         EXPECT_TRUE(requests_.*row.wants) << row.button;
         EXPECT_FALSE(has("failure.ok")) << row.button << " is an answer";
     }
+    memory_.failures.open = {{"not saved: Glass.uHidden: it is not on the Program line", Remedy::add}};
+    for (const char* useless : {"failure.again", "failure.save as"}) EXPECT_FALSE(has(useless)) << useless;
+    EXPECT_TRUE(has("failure.ok"));
+    facts_.changed = false;
+    EXPECT_FALSE(has("failure.ok")) << "nothing is left to save";
     memory_.failures.open = {{"xdg-open ended with status 4", Remedy::editor, {"/tmp/a.frag", 3, 1}}};
     const Rect again = place("failure.again");
     frame({move(again.x + 3, again.y + 3)});

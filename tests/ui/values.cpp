@@ -164,6 +164,30 @@ TEST_F(Values, APressOnAnotherNumberLeavesTheFieldFirst) {
             }
 }
 
+TEST_F(Values, ARefusalSaysWhatIsWrong) {
+    add_slider("uInt", 0, 3, 9, ValueType::int_);
+    add_slider("uUint", 0, 3, 9, ValueType::uint_);
+    add_slider("uFloat", 0, 3, 9);
+    struct Row {
+        const char *widget, *text, *wrong;
+    };
+    for (const Row& row : {Row{"Glass.uInt", "7.2", "not a whole number"},
+                           {"Glass.uInt", "7/2", "not a whole number"},
+                           {"Glass.uInt", "99999999999", "out of the type's range"},
+                           {"Glass.uInt", "9999999999.5", "out of the type's range"},
+                           {"Glass.uInt", "1e999", "out of the type's range"},
+                           {"Glass.uInt", "x", "not a number"},
+                           {"Glass.uUint", ".5", "not a whole number"},
+                           {"Glass.uUint", "-5", "out of the type's range"},
+                           {"Glass.uFloat", "1e39", "out of the type's range"}}) {
+        open(row.widget);
+        type(row.text);
+        EXPECT_EQ(kit().remark.text, row.wrong) << row.text;
+        press(Key::escape);
+    }
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(value(i), 3);
+}
+
 TEST_F(Values, CommandsTakeTheNumberThatIsTyped) {
     add_slider("uUp", 0, 3, 9);
     for (const Key command : {Key::s, Key::o}) {
@@ -273,6 +297,26 @@ TEST_F(Values, TabReachesEverythingThatTheMouseDoes) {
     const bool paused = memory_.clock.paused;
     ASSERT_TRUE(go_to(at_reset, {})) << "Reset all";
     EXPECT_EQ(memory_.clock.paused, paused) << "the space bar presses the button, and does nothing else";
+}
+
+TEST_F(Values, KeysChooseInAListThatTheMouseOpened) {
+    scene_.ladders.push_back({.name = "Roughness", .rungs = {"smooth", "rough", "exact"}});
+    controls_.rungs = {0};
+    add_slider("uA", 0, 2, 9);
+    for (const bool of_slider : {false, true}) {
+        if (of_slider) click(place("Glass.uA"));
+        const double before = value();
+        controls_.rungs = {0};
+        click(place("Roughness"));
+        ASSERT_TRUE(has("Roughness.exact"));
+        press(Key::down);
+        EXPECT_EQ(controls_.rungs[0], 1U);
+        press(Key::enter);
+        EXPECT_FALSE(has("Roughness.exact"));
+        press(Key::down);
+        EXPECT_EQ(controls_.rungs[0], 2U) << "the button has the focus";
+        EXPECT_EQ(value(), before);
+    }
 }
 
 TEST_F(Values, TabGoesThroughAMenu) {

@@ -166,7 +166,8 @@ std::optional<double> fitting(double value, ValueType type) {
 
 std::optional<double> typed(std::string_view text, ValueType type) {
     const std::optional<double> found = evaluated(text);
-    return found ? fitting(*found, type) : std::nullopt;
+    const bool fraction = found && is_whole(type) && *found != std::round(*found);
+    return found && !fraction ? fitting(*found, type) : std::nullopt;
 }
 
 // The intermediate results cannot overflow, for any range.

@@ -32,7 +32,7 @@ bool is_number(std::string_view text);
 bool is_whole(ValueType type);
 // Returns the value that a control of that type can have, fractions rounded where it is whole; nullopt if it has none.
 std::optional<double> fitting(double value, ValueType type);
-// Does both for a text that a user typed.
+// Does both for a text that a user typed, but refuses a fraction where the value is whole.
 std::optional<double> typed(std::string_view text, ValueType type);
 
 struct Track {

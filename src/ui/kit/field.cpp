@@ -33,14 +33,6 @@ bool reachable() {
 bool in_popup() { return (ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Popup) != 0; }
 bool in_menu() { return in_popup() && (ImGui::GetCurrentWindow()->RootWindow->Flags & ImGuiWindowFlags_Modal) == 0; }
 
-void say(const ImRect& box, std::string_view what) {
-    const ImVec2 size = box.GetSize();
-    Tip& remark = kit().remark;
-    remark.item = remark.window = {box.Min.x, box.Min.y, size.x, size.y};
-    remark.text.assign(what);
-    remark.shown = true;
-}
-
 // Many window managers move the window by a drag with Alt.
 bool fine() { return ImGui::GetIO().KeyAlt || ImGui::GetIO().KeyShift; }
 
@@ -65,6 +57,14 @@ bool apply(double& value, double entered) {
 }
 
 }  // namespace
+
+void say(const ImRect& box, std::string_view what) {
+    const ImVec2 size = box.GetSize();
+    Tip& remark = kit().remark;
+    remark.item = remark.window = {box.Min.x, box.Min.y, size.x, size.y};
+    remark.text.assign(what);
+    remark.shown = true;
+}
 
 bool focusable(const ImRect& box, ImGuiID id, Focus::Kind kind) {
     Focus& focus = kit().focus;
@@ -192,9 +192,11 @@ bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value
     const std::optional<double> entered = typed(text, type);
     const bool fits = entered && *entered >= limits.min && *entered <= limits.max;
     if (fits) return apply(value, *entered);
-    const std::string wrong = entered           ? fmt::format("not from {:.10g} to {:.10g}", limits.min, limits.max)
-                              : is_number(text) ? "out of the type's range"
-                                                : "not a number";
+    const std::optional<double> found = evaluated(text);
+    const std::string wrong = entered            ? fmt::format("not from {:.10g} to {:.10g}", limits.min, limits.max)
+                              : !is_number(text) ? "not a number"
+                              : found && fitting(*found, type) ? "not a whole number"
+                                                               : "out of the type's range";
     if (tab || enter) {
         typing.fresh = true;
         typing.selected = false;
@@ -230,8 +232,9 @@ double moved(double value, double initial, ImGuiID id, const NumberStyle& style,
 void draw_number(const ImRect& box, double value, const NumberStyle& style, bool hovered, bool held) {
     const ImGuiCol fill = held ? ImGuiCol_FrameBgActive : hovered ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg;
     ImGui::RenderFrame(box.Min, box.Max, ImGui::GetColorU32(fill), true, ImGui::GetStyle().FrameRounding);
-    const Text text =
-        is_whole(style.type) ? Text("{:.0f}", value) : Text("{:.{}g}", unsigned_zero(value), style.digits);
+    Text text = is_whole(style.type) ? Text("{:.0f}", value) : Text("{:.{}g}", unsigned_zero(value), style.digits);
+    for (int digits = style.digits - 1; digits > 0 && width_of(text.view()) > box.GetWidth(); --digits)
+        if (!is_whole(style.type)) text = Text("{:.{}g}", unsigned_zero(value), digits);
     ImGui::RenderTextClipped(box.Min, box.Max, text.begin(), text.end(), nullptr, {.5F, .5F});
 }
 

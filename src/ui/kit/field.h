@@ -5,6 +5,7 @@
 #include <imgui_internal.h>
 
 #include <span>
+#include <string_view>
 
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/kit.h"
@@ -30,6 +31,9 @@ bool is_typed(ImGuiID id);
 // as it was, and is refused in red.
 bool typed_field(const ImRect& box, ImGuiID id, const char* label, double& value, ValueType type,
                  const NumberLimits& limits = {});
+
+// Says in red below a field why its text is not taken.
+void say(const ImRect& box, std::string_view what);
 
 // Draws a field for text, with `hint` while it is empty, as wide as ImGui::SetNextItemWidth says. It opens when Tab
 // reaches it. Returns what ImGui::InputText does.

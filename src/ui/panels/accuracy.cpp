@@ -215,8 +215,19 @@ void state_menu(const StateFacts& facts, const StateFacts::Side& side, bool left
                                  std::max(ImGui::GetIO().DisplaySize.x - 2 * em, 1.0F));
     const Text hint = shortened(facts.example, width - button_width(""));
     ImGui::SetNextItemWidth(width);
+    if (ImGui::IsWindowAppearing()) memory.entered = false;
+    const bool known = memory.entered && side.name == memory.settings.data(), refused = known && side.failed;
+    if (known) memory.entered = false;
+    if (refused) kit().focus.opens = true;  // the field, in which the text stays
     if (text_field("##settings", hint.c_str(), memory.settings, ImGuiInputTextFlags_EnterReturnsTrue)) {
-        if (memory.settings[0] != '\0') name = memory.settings.data();
+        memory.entered = memory.settings[0] != '\0';
+        if (memory.entered) name = memory.settings.data();
+    } else if (ImGui::IsItemEdited()) {
+        kit().remark.shown = false;
+    }
+    if (refused) {
+        say({ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, side.label);
+    } else if (known) {
         memory.settings.fill('\0');
         ImGui::CloseCurrentPopup();
     }

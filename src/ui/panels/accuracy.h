@@ -88,6 +88,7 @@ struct AccuracyMemory {
     // reference, or as it is saved if there are no ladders.
     std::string left, right;
     std::array<char, 256> settings{};  // what is typed as the name of a state
+    bool entered = false;              // its list is open until that state is there, or has failed
     float divider = .5F;               // between them, as a fraction of the picture's width
     float grabbed = .5F;               // where it was when its drag began
     std::size_t ladder = 0;            // index of the ladder that is plotted: the one changed last

@@ -278,7 +278,7 @@ bool goes_on(const NoticeMemory& memory) {
 using Remedy = Failure::Remedy;
 
 bool of_saving(Remedy remedy) {
-    return remedy == Remedy::reload || remedy == Remedy::save || remedy == Remedy::save_as;
+    return remedy == Remedy::reload || remedy == Remedy::save || remedy == Remedy::save_as || remedy == Remedy::add;
 }
 
 // True if both are of the same request, or say the same.
@@ -304,7 +304,8 @@ bool remedies(const Failure& failure, const std::string& name, Memory& memory, R
     };
     if (remedy == Remedy::reload) offer("Reload", ".reload", [&] { requests.reload = true; });
     if (remedy == Remedy::save) offer("Try again", ".again", [&] { requests.save = true; });
-    if (of_saving(remedy)) offer("Save as\u2026", ".save as", [&] { requests.save_as = true; });
+    if (of_saving(remedy) && remedy != Remedy::add)
+        offer("Save as\u2026", ".save as", [&] { requests.save_as = true; });
     if (remedy == Remedy::store)
         offer("Try again", ".again", [&] {
             requests.store_snapshot = failure.snapshot;
@@ -361,7 +362,7 @@ void reread(Failure& failure, const Facts& facts) {
 // True if what could not be done has become needless.
 bool mended(const Failure& failure, const Facts& facts) {
     if (failure.remedy == Remedy::absent) return facts.snapshots[static_cast<std::size_t>(failure.snapshot)];
-    return failure.remedy == Remedy::save && !facts.changed;
+    return (failure.remedy == Remedy::save || failure.remedy == Remedy::add) && !facts.changed;
 }
 
 }  // namespace

@@ -147,9 +147,9 @@ bool begin_value_menu(const ImRect& place, ImGuiID widget, const ImRect& clicks)
 }
 
 void reset_item(Control& control, std::size_t component, const Section& section) {
-    const bool box = control.widget == Widget::check_box;
-    const Text initial =
-        box ? Text(control.initial[0] != 0 ? "on" : "off") : shown_value(control, control.initial[component]);
+    const bool box = control.widget == Widget::check_box || control.type == ValueType::bool_;
+    const double value = control.initial[component];
+    const Text initial = box ? Text(value != 0 ? "on" : "off") : shown_value(control, value);
     if (menu_item(fmt::format("Reset to {}", initial.view()).c_str())) {
         reset(control, component);
         stop(section.memory.animated, control, component);
@@ -290,21 +290,40 @@ void named(Control& control, const Section& section) {
     caption_menu(control, section, corner);
 }
 
-// Draws a row of number fields for each element of an array or each column of a matrix.
-void numbers(Control& control, const Section& section) {
-    auto columns = static_cast<std::size_t>(control.type == ValueType::matrix && control.components > 4
-                                                ? (control.components == 9 ? 3 : 4)
-                                                : std::clamp(control.components, 1, 4));
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float number_width = button_width("-1.2346e+05"), most = ImGui::GetContentRegionAvail().x;
-    while (columns > 1 && number_width * static_cast<float>(columns) + gap * static_cast<float>(columns - 1) > most)
-        columns = (columns + 1) / 2;
-    const float width =
-        (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    for (std::size_t i = 0; i < control.value.size(); ++i) {
-        if (i % columns != 0) ImGui::SameLine(0, gap);
+// Draws a check box, which Enter switches, too. Returns its place.
+ImRect value_box(const char* text, double& value) {
+    bool on = value != 0;
+    const bool clicked = ImGui::Checkbox(text, &on);
+    const ImRect box(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    const ImGuiID id = ImGui::GetItemID();
+    if (clicked) take_focus(id);
+    const bool switched = focusable(box, id) && pressed(Key::enter) && !ImGui::GetIO().WantTextInput;
+    draw_focus(box, id);
+    if (clicked || switched) value = on != switched ? 1 : 0;
+    return box;
+}
+
+// The rows of a matrix; 0 if it is none, or not a square, of which the number of components does not tell the rows.
+std::size_t square(const Control& control) {
+    if (control.type != ValueType::matrix) return 0;
+    return control.components == 4 ? 2 : control.components == 9 ? 3 : control.components == 16 ? 4 : 0;
+}
+
+// Draws a line for each element of an array and each row of a matrix.
+void components(Control& control, const Section& section) {
+    const std::size_t rows = square(control);
+    std::size_t columns = rows > 0 ? rows : static_cast<std::size_t>(std::clamp(control.components, 1, 4));
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, room = ImGui::GetContentRegionAvail().x;
+    const auto width = [&] { return (room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns); };
+    while (columns > 1 && width() < button_width("-1.23")) columns = (columns + 1) / 2;
+    for (std::size_t at = 0; at < control.value.size(); ++at) {
+        // GLSL has the columns of a matrix one after the other.
+        const std::size_t i = rows == 0 ? at : at / (rows * rows) * rows * rows + at % rows * rows + at / rows % rows;
+        if (at % columns != 0) ImGui::SameLine(0, gap);
         ImGui::PushID(static_cast<int>(i));
-        if (number("##value", control.value[i], control.type, control.initial[i], width))
+        if (control.type == ValueType::bool_)
+            value_box("##value", control.value[i]);
+        else if (number("##value", control.value[i], control.type, control.initial[i], width()))
             control.value[i] = fit_to_type(control.value[i], control.type);
         note_element(control, i, section);
         value_menu(control, i, section, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()}, ImGui::GetID("##value"));
@@ -328,16 +347,10 @@ void color_menus(Control& control, const Section& section) {
 
 void check_box(Control& control, const Section& section) {
     dot_of(control, section);
-    bool on = control.value[0] != 0;
     Text name = shortened(control.name, ImGui::GetContentRegionAvail().x - check_box_width(""));
     const bool whole = name == control.name;
-    const bool clicked = ImGui::Checkbox(name.append("###on").c_str(), &on);
-    const ImRect box(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    const ImRect box = value_box(name.append("###on").c_str(), control.value[0]);
     const ImGuiID id = ImGui::GetItemID();
-    if (clicked) take_focus(id);
-    const bool switched = focusable(box, id) && pressed(Key::enter) && !ImGui::GetIO().WantTextInput;
-    draw_focus(box, id);
-    if (clicked || switched) control.value[0] = on != switched ? 1 : 0;
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) reset(control);
     if (!whole) tip(control.name);
     section.layout.note(section.program.name, control.name);
@@ -376,7 +389,7 @@ void widget(Control& control, const Section& section) {
             return;
         case Widget::none:
             named(control, section);
-            return numbers(control, section);
+            return components(control, section);
     }
 }
 
@@ -405,7 +418,7 @@ void measure_columns(const Controls& controls, Index program, Section& section) 
             number = std::max(number, width_of(shown_value(control, end).view()));
     }
     // Where there is no room for the names, the track is below them.
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, column = std::min(name + gap, room * .4F);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, column = std::min(name + gap, room * .3F);
     const bool stacked = room < 15 * em || (name + gap > column && ambiguous(controls, program, column - gap));
     section.number_width = std::min(number + ImGui::GetStyle().FramePadding.x, room * (stacked ? .5F : .35F));
     section.name_width = stacked ? 0 : column;

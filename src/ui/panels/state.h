@@ -131,11 +131,12 @@ inline constexpr double hint_seconds = 4;
 // What the user asked for and did not get: it stays until it is dismissed, or its cause is gone.
 struct Failure {
     // What is offered beside OK. reload: the files have changed, until they are read. save: nothing was written, until
-    // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. editor: none
+    // it is, or nothing differs from the files any more. save_as: the same, and only another file can be. add: nothing;
+    // the same of values that have no place in the text, until it has. editor: none
     // opens, until one does. store: the same snapshot again, with the values of then; recall: the same; both until that
     // succeeds. absent: there is no such snapshot, until one is stored. page: nothing, until a page is saved. open:
     // another scene, with the name that was refused in the field.
-    enum class Remedy : std::uint8_t { none, reload, save, save_as, editor, store, recall, absent, page, open };
+    enum class Remedy : std::uint8_t { none, reload, save, save_as, add, editor, store, recall, absent, page, open };
     std::string text;
     Remedy remedy = Remedy::none;
     Place place = {};   // where the editor was to open; the file that could not be opened

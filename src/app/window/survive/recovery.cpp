@@ -120,7 +120,7 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     std::string unwritten;
     for (const Unwritten& value : saved.unwritten)
         unwritten += fmt::format("{}{}: {}", unwritten.empty() ? "not saved: " : "\n", value.name, value.reason);
-    if (!unwritten.empty()) memory.failed({std::move(unwritten), Remedy::save});
+    if (!unwritten.empty()) memory.failed({std::move(unwritten), Remedy::add});
     std::string& notice = memory.notice;
     notice = saved.files.empty() ? "nothing to save" : counted(saved.values, "value") + " saved to";
     served.what = "save to";
@@ -129,6 +129,7 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
         served.what += " " + printable_name(file.path);
     }
     notice += left_out(saved.moving);
+    if (!saved.widened.empty()) notice += utf8::printable(fmt::format("; range of {}", fmt::join(saved.widened, ", ")));
     if (saved.files.empty()) notice += "; the view and moved objects are not written to the scene";
     served.files = std::move(saved.files);
 }
