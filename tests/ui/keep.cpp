@@ -263,7 +263,7 @@ TEST_F(UiKeep, ThePictureWindowRefusesNumbersThatItCannotTake) {
     memory_.picture.sequence = facts_.animated = true;
     for (const Row& row : {Row{"width", "0", "not from 1 to 1000000"},
                            {"width", "-5", "not from 1 to 1000000"},
-                           {"height", ".4", "not from 1 to 1000000"},
+                           {"height", ".4", "not a whole number"},
                            {"height", "nan", "not a number"},
                            {"samples", "65", "not from 1 to 64"},
                            {"samples", "four", "not a number"},

@@ -519,6 +519,7 @@ TEST_F(UiTest, FailuresOfferWhatHelpsAndGoWithTheirCause) {
     EXPECT_TRUE(has("failure.ok"));
     facts_.changed = false;
     EXPECT_FALSE(has("failure.ok")) << "nothing is left to save";
+    facts_.changed = true;
     memory_.failures.open = {{"xdg-open ended with status 4", Remedy::editor, {"/tmp/a.frag", 3, 1}}};
     const Rect again = place("failure.again");
     frame({move(again.x + 3, again.y + 3)});

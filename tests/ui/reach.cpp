@@ -103,6 +103,7 @@ public:
             write(typed);
             press(Key::enter);
             EXPECT_EQ(memory_.accuracy.right, typed);
+            states_.sides[1] = {typed, typed};  // as soon as it is there
             EXPECT_FALSE(has("right.settings"));
         }
     }

@@ -537,6 +537,37 @@ TEST_F(Values, RowsHaveTheHeightOfOneLine) {
     EXPECT_EQ(place("Glass.uC").x, place("Glass.uA").x);
 }
 
+TEST_F(Values, ALongNameLeavesTheTracksRoom) {
+    add_slider("uKa", 0, .5, 1);
+    add_slider("uAVeryLongUniformNameForAFramework", 0, .5, 1);
+    EXPECT_GT(place("Glass.uKa").width, 120);
+}
+
+TEST_F(Values, MatricesAreShownByRowsAndVectorsInALine) {
+    add_slider("uA", 0, .1, 9);  // which opens the section
+    array("uMat4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, .1, .2, .3, 1}).type = ValueType::matrix;
+    array("uMat2", {1, 2, 3, 4}).type = ValueType::matrix;
+    array("uVec3", {.1, .2, .3});
+    for (const auto& [name, rows] : {std::pair("Glass.uMat4", 4), {"Glass.uMat2", 2}})
+        for (int i = 1; i < rows; ++i) {
+            const auto at = [&](int k) { return place(std::string(name) + "[" + std::to_string(k) + "]"); };
+            EXPECT_EQ(at(rows * i).y, at(0).y) << name << ": the first row";
+            EXPECT_GT(at(rows * i).x, at(rows * i - rows).x);
+            EXPECT_EQ(at(i).x, at(0).x) << name << ": the first column";
+            EXPECT_GT(at(i).y, at(i - 1).y);
+        }
+    EXPECT_EQ(place("Glass.uVec3[2]").y, place("Glass.uVec3[0]").y);
+}
+
+TEST_F(Values, BooleansOfAVectorAreCheckBoxes) {
+    add_slider("uA", 0, .1, 9);
+    array("uOn", {1, 0, 1}).type = ValueType::bool_;
+    click(place("Glass.uOn[1]"));
+    EXPECT_EQ(controls_.items[1].value, (std::vector<double>{1, 1, 1}));
+    press(Key::enter);
+    EXPECT_EQ(controls_.items[1].value, (std::vector<double>{1, 0, 1})) << "Enter switches the one with the focus";
+}
+
 TEST_F(Values, ADotResetsOneComponent) {
     Control& vector = add_slider("uB", 0, .2, 9);
     vector.value = vector.initial = {.2, .3, .4};

@@ -309,7 +309,7 @@ bool begin_combo(const char* id, const char* text, std::size_t& chosen, std::siz
     ImGuiContext& g = *ImGui::GetCurrentContext();
     if (toggled) g.NavActivateId = g.NavActivateDownId = item;  // presses the button
     const bool open = ImGui::BeginCombo(id, text);
-    if (open && ImGui::IsWindowAppearing()) take_focus(item);  // also where the mouse has opened it
+    if (open && !focused && ImGui::IsWindowAppearing()) take_focus(item);  // the mouse has opened it
     note_opener(box, open);
     if (open && toggled && !ImGui::IsWindowAppearing()) ImGui::CloseCurrentPopup();
     if (!open) draw_focus(whole, item);
