@@ -229,6 +229,10 @@ TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
     settle();
     right_is_blank("a uniform that is not there");
     EXPECT_EQ(label(1), "uReed=0.9: there is no uniform 'uReed'; did you mean 'uRed'?");
+    EXPECT_TRUE(state()["widgets"].contains("right.settings")) << "the list stays open, for a better text";
+    for (int i = 0; i < 2; ++i) user("key Escape");  // the field, and the list
+    settle();
+    EXPECT_FALSE(state()["widgets"].contains("right.settings"));
     // There is nothing to magnify.
     const std::array<double, 4> area = state()["scene"];
     user("mousemove " + std::to_string(static_cast<int>(area[2] / 2) + 30) + " " +
