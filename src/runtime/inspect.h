@@ -29,7 +29,7 @@ struct Inspection {
     std::vector<float> rgba;
     std::vector<char> inside;        // of the picture: 0 or 1, as many as there are pixels in the square
     std::optional<double> depth;     // of the pixel: 0 to 1; none: the context does not tell
-    std::optional<double> distance;  // from the eye along its line of sight, in the scene's units; none: nothing there
+    std::optional<double> distance;  // of the eye, along the view axis, in the scene's units; none: nothing there
     Index draw = none;               // Scene::draws: what is seen there
     bool light = false;              // the values are light, and encoded for the display
 

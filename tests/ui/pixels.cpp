@@ -58,6 +58,7 @@ TEST_F(UiPixels, TheInspectorIsSeenWholeAndLeavesThePointerFree) {
         EXPECT_FALSE(box.contains(x, y));
     }
     EXPECT_TRUE(has("inspector.depth.depth 0.98765 (0 near, 1 far)"));
+    EXPECT_TRUE(has("inspector.distance.along the view axis: 3.25")) << "a pixel at the side is farther from the eye";
     const Rect whole = place("inspector"), last = place("inspector.place");
     EXPECT_LT(last.y + last.height, whole.y + whole.height) << "its last line is not cut";
     // Where neither side has room, it is above or below.

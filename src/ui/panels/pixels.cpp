@@ -201,7 +201,11 @@ void inspector(const PixelFacts& pixels, const Rect& scene, const Fonts& fonts, 
             const Text depth("depth {:.7g} (0 near, 1 far)", *found.depth);
             ImGui::TextUnformatted(depth.c_str());
             layout.note("inspector.depth", depth.view());
-            if (found.distance) ImGui::TextUnformatted(Text("distance from the eye: {:.6g}", *found.distance).c_str());
+            if (found.distance) {
+                const Text distance("along the view axis: {:.6g}", *found.distance);
+                ImGui::TextUnformatted(distance.c_str());
+                layout.note("inspector.distance", distance.view());
+            }
         }
         ImGui::EndGroup();
         fitted(pixels.statement.empty() ? "no object" : pixels.statement, width);
