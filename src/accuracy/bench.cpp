@@ -107,12 +107,16 @@ Bench::Stage* Bench::stage(const PlanKnobs& knobs) {
                     control.varies = true;
         };
     stages_.push_back(std::make_unique<Stage>(knobs, std::move(plan), *files_, *sources_, caps_, how));
-    for (const Diagnostic& diagnostic : stages_.back()->diagnostics.items())
+    tell(stages_.back()->diagnostics);
+    return stages_.back().get();
+}
+
+void Bench::tell(const Diagnostics& found) {
+    for (const Diagnostic& diagnostic : found.items())
         if (ranges::none_of(problems_.items(), [&](const Diagnostic& other) {
                 return other.code == diagnostic.code && other.span == diagnostic.span;
             }))
             problems_.add(diagnostic);
-    return stages_.back().get();
 }
 
 void Bench::at(const Place& place) {
@@ -148,7 +152,10 @@ bool Bench::ready(const Variant& variant, bool directions) {
     controls_ = current_->runtime.controls();
     for (const std::string& set : settings_.sets) set_control(controls_, current_->runtime.scene(), set, heard);
     controls_.rungs = std::move(rungs);
-    return into_->valid();
+    // A program that does not compile with these rungs would be drawn as it was with others.
+    const Diagnostics& wrong = current_->runtime.ladder_problems();
+    if (wrong.has_errors()) tell(wrong);
+    return into_->valid() && !wrong.has_errors();
 }
 
 // Samples are on a regular grid within the pixel; a single sample is at its usual position. Returns false if `stop`

@@ -86,6 +86,7 @@ public:
 private:
     struct Stage;  // a runtime for one set of knobs
     Stage* stage(const PlanKnobs& knobs);
+    void tell(const Diagnostics& found);
     gl::ExactTarget* target(int multisample);
     bool ready(const Variant& variant, bool directions);
     bool draw(const std::vector<bool>* hidden, const Stop& stop = {});

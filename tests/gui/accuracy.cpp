@@ -153,6 +153,23 @@ TEST_F(LadderWindow, ErrorsAreThoseOfTheRungs) {
     EXPECT_EQ(refined()["points"].size(), 1) << "what was measured does not stand any more";
 }
 
+// Drawn, it would be as with the rung before.
+TEST_F(LadderWindow, ARungWithErrorsIsLeftOutAndNamed) {
+    std::string broken = fragment;
+    broken.replace(broken.find("float red = .8;"), 15, "float red = no_such_function();");
+    save("paint.frag", broken);
+    user("key F5");
+    user("key a");
+    settle();
+    click("accuracy.measure");
+    ASSERT_TRUE(wait([](const json& s) {
+        return s["accuracy"]["remark"].get<std::string>().starts_with("'far' has errors, and is not measured. ");
+    })) << state()["accuracy"];
+    settle();
+    for (const json& point : state()["accuracy"]["points"]) EXPECT_NE(point["name"], "far");
+    EXPECT_EQ(state()["accuracy"]["points"].size(), 2U);
+}
+
 TEST_F(LadderWindow, TheReferenceBesideThePictureAndWhereTheyDiffer) {
     click("DETAIL");
     click("DETAIL.far");

@@ -135,6 +135,7 @@ bool note_nothing_drawn(const Report& report) {
                ranges::any_of(found.rungs, [](const FoundRung& rung) { return rung.outcome != Outcome::not_tried; });
     });
     if (drawn || tried || (report.sweeps.empty() && report.found.empty())) return false;
+    if (!report.problems.empty()) return true;  // they have been told
     return !complain("no rung was drawn: the time was up; give more --budget, or a smaller --size");
 }
 

@@ -75,6 +75,24 @@ TEST_F(Measure, ALadderWithoutTimeHasTwoRungs) {
     for (const RungResult& rung : none.rungs) EXPECT_FALSE(rung.drawn) << rung.name;
 }
 
+// Drawn, it would be as with the rung before.
+TEST_F(Measure, ARungThatDoesNotCompileIsLeftOutAndTold) {
+    folder.write("full.vert",
+                 "#version 330 compatibility\nvoid main() { gl_Position = vec4(gl_Vertex.xy, 0., 1.); }\n");
+    folder.write("work.frag",
+                 "#version 330 compatibility\nvoid main() {\n#if WORK == WORK_bad\n    gl_FragColor = none();\n#else\n"
+                 "    gl_FragColor = vec4(vec3(float(WORK) / 4.), 1.);\n#endif\n}\n");
+    bench_of_text("Ladder WORK bad <one> two\nVertex full.vert\nFragment work.frag\nProgram Work\nQuadXY 0 1\n", 8, 8);
+    const SweepResult result = measure_ladder(1, 5);
+    ASSERT_EQ(result.rungs.size(), 3U);
+    EXPECT_FALSE(result.rungs[0].drawn);
+    EXPECT_TRUE(result.rungs[1].drawn && result.rungs[2].drawn);
+    EXPECT_NEAR(result.rungs[1].own.display.rmse, .25, 1e-4);
+    EXPECT_TRUE(bench->problems().has_errors());
+    EXPECT_FALSE(complaints.empty());
+    complaints.clear();
+}
+
 TEST_F(Measure, LadderOfKnownCostsAndErrorsComesOutRight) {
     write_ladder();
     bench_of_text(scene, 40, 40);

@@ -59,6 +59,7 @@ struct RungCosts::Job {
     std::size_t chosen = 0;          // index into `names`
     std::vector<Rungs> rungs;        // in the order of `names`, and so are the errors
     std::vector<double> errors = {};
+    std::string left_out = {};  // what is said of rungs with errors
     std::optional<accuracy::SampleMean> mean = {};
     std::optional<accuracy::Rounds> rounds = {};
     double done = 0;
@@ -132,9 +133,28 @@ bool RungCosts::error_step(const accuracy::Picture& reference, int samples, cons
         {.time = job.frame->time, .view = job.frame->view, .controls = controls, .enlarged = job.frame->enlarged},
         clock);
     if (job.mean->samples() < samples) return false;
+    if (job.runtime->ladder_problems().has_errors()) {  // it was drawn as another rung
+        leave_out(job.errors.size());
+        return true;
+    }
     job.errors.push_back(accuracy::compare(job.mean->picture(*job.runtime), reference).light.rmse);
     job.done = errors_part * static_cast<double>(job.errors.size()) / static_cast<double>(job.rungs.size());
     return true;
+}
+
+void RungCosts::leave_out(std::size_t rung) {
+    Job& job = *job_;
+    const auto at = static_cast<std::ptrdiff_t>(rung);
+    job.left_out += fmt::format("'{}' has errors, and is not measured. ", job.names[rung]);
+    known_.erase(job.rungs[rung]);
+    job.names.erase(job.names.begin() + at);
+    job.rungs.erase(job.rungs.begin() + at);
+    if (job.chosen > rung) {
+        --job.chosen;
+    } else if (job.chosen == rung) {  // there is nothing to compare with
+        remark_ = std::move(job.left_out);
+        stop();
+    }
 }
 
 void RungCosts::begin_rounds(const accuracy::FrameClock& clock) {
@@ -185,7 +205,7 @@ void RungCosts::conclude(accuracy::ClockKind clock) {
         known = {points[i].error, points[i].times, shown(verdicts[i].standing), {}};
         if (verdicts[i].by < job->names.size()) known.by = job->names[verdicts[i].by];
     }
-    remark_ = accuracy::noise_sentence(control);
+    remark_ = job->left_out + accuracy::noise_sentence(control);
 }
 
 std::vector<ui::AccuracyPoint> RungCosts::points(const Scene& scene, std::size_t ladder, const Rungs& chosen) const {
@@ -351,7 +371,7 @@ bool Refinement::chosen_step() {
     chosen_ = means_->chosen.picture(*shown_->runtime);
     samples_ = levels[reached];
     error_ = accuracy::compare(chosen_, references_[reached]);
-    costs_.visit(controls_.rungs, error_.light.rmse, times_);
+    if (!shown_->runtime->ladder_problems().has_errors()) costs_.visit(controls_.rungs, error_.light.rmse, times_);
     return true;
 }
 

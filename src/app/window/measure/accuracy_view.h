@@ -55,6 +55,7 @@ private:
     };
     struct Job;
     bool error_step(const accuracy::Picture& reference, int samples, const accuracy::FrameClock& clock);
+    void leave_out(std::size_t rung);
     void begin_rounds(const accuracy::FrameClock& clock);
     void conclude(accuracy::ClockKind clock);
 
