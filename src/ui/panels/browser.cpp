@@ -309,6 +309,17 @@ void list_again(const Listing& listing, Browser& browser, Requests& requests) {
     browser.focus = requests.browse = true;
 }
 
+// Why the typed path could not be opened, until another is typed.
+void refusal(Browser& browser, Layout& layout) {
+    if (ImGui::IsItemEdited()) browser.error.clear();
+    if (browser.error.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+    fitted(browser.error, ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleColor();
+    tip(browser.error);
+    layout.note("browser.error");
+}
+
 // Draws the name field and the buttons.
 void answer_row(const Facts& facts, const Listing& listing, const std::vector<std::size_t>& shown, Memory& memory,
                 Requests& requests, Layout& layout) {
@@ -324,14 +335,7 @@ void answer_row(const Facts& facts, const Listing& listing, const std::vector<st
     bool go = text_field("##name", "name or path", browser.typed, ImGuiInputTextFlags_EnterReturnsTrue);
     layout.note("browser.name");
     if (ImGui::IsItemEdited()) browser.chosen = 0;
-    if (ImGui::IsItemEdited()) browser.error.clear();
-    if (!browser.error.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-        fitted(browser.error, ImGui::GetContentRegionAvail().x);
-        ImGui::PopStyleColor();
-        tip(browser.error);
-        layout.note("browser.error");
-    }
+    refusal(browser, layout);
     const float buttons = button_width("Cancel") + button_width("Open") + ImGui::GetStyle().ItemSpacing.x;
     if (browser.start && !facts.kinds.empty()) {
         if (button("New scene", layout, "browser.to new")) {
