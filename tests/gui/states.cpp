@@ -205,6 +205,14 @@ TEST_F(States, KeepTheirLastPictureOrSayThatThereIsNone) {
     expect({slid, .4, .5}, {.2, .4, .5}, "after a broken edit, both as they were");
     EXPECT_TRUE(label(1).starts_with("as saved: 0.2, last good picture: ")) << label(1);
     EXPECT_TRUE(label(0).starts_with("now: uRed " + fmt::format("{:.4g}", slid) + ", last good picture: ")) << label(0);
+    for (const bool swapped : {true, false}) {
+        click("accuracy.swap");
+        settle();
+        const std::array<double, 3> left{swapped ? .2 : slid, .4, .5}, right{swapped ? slid : .2, .4, .5};
+        expect(left, right, "swapped");
+        EXPECT_TRUE(label(swapped ? 0 : 1).starts_with("as saved: ")) << label(swapped ? 0 : 1);
+        EXPECT_NE(label(swapped ? 0 : 1).find(", last good picture: "), std::string::npos) << label(swapped ? 0 : 1);
+    }
     user("key s");
     settle();
     EXPECT_TRUE(state()["widgets"].contains("status.stale")) << "so does the line below a single picture";

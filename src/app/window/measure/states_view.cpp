@@ -67,6 +67,11 @@ void StatesView::follow(Document& scene, const Earlier& earlier, std::uint64_t r
     }
     const std::array<std::string, 2> names{memory.left.empty() ? std::string(state_now) : memory.left,
                                            memory.right.empty() ? usual(scene.scene()) : memory.right};
+    // Swapped, for it might not be possible to make them again.
+    if (names[0] != names[1] && halves_[0].name == names[1] && halves_[1].name == names[0]) {
+        std::swap(halves_[0], halves_[1]);
+        ++showings_;
+    }
     for (std::size_t i = 0; i < halves_.size(); ++i) {
         Half& half = halves_[i];
         if (half.name != names[i] || half.revision != revision) {
