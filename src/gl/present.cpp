@@ -125,14 +125,15 @@ void Still::set(int width, int height, std::span<const std::byte> rgba) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void Still::show(int x, int y, int enlarged) const {
+void Still::show(int x, int y, int enlarged, int first) const {
     if (!framebuffer_) return;
-    glDisable(GL_SCISSOR_TEST);
+    clip(x, y, width_ * enlarged, height_ * enlarged, first);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     // The blit flips the picture: its first row is the top one, but GL's first row is the bottom one.
     glBlitFramebuffer(0, 0, width_, height_, x, y + height_ * enlarged, x + width_ * enlarged, y, GL_COLOR_BUFFER_BIT,
                       GL_NEAREST);
+    glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

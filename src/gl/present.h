@@ -54,9 +54,9 @@ class Still {
 public:
     // Uploads RGBA bytes, top row first.
     void set(int width, int height, std::span<const std::byte> rgba);
-    // Copies it into the default framebuffer, so many times larger. (x, y) is the pixel of the bottom left corner. Does
-    // nothing before set() was called.
-    void show(int x, int y, int enlarged) const;
+    // Copies it into the default framebuffer, so many times larger. (x, y) is the pixel of the bottom left corner;
+    // `first` as of Canvas. Does nothing before set() was called.
+    void show(int x, int y, int enlarged, int first = 0) const;
 
 private:
     int width_ = 0, height_ = 0;

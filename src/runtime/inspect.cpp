@@ -147,10 +147,15 @@ Flag flag_of(std::span<const float, 4> rgba) {
     return worst;
 }
 
-FlagCounts count_flags(std::span<const float> rgba) {
-    FlagCounts counts;
-    for (std::size_t at = 0; at + 3 < rgba.size(); at += 4)
-        ++counts.pixels[static_cast<std::size_t>(flag_of(rgba.subspan(at).first<4>()))];
+FlagCounts count_flags(std::span<const float> rgba) { return count_flags(rgba, 1).front(); }
+
+std::vector<FlagCounts> count_flags(std::span<const float> rgba, int columns) {
+    std::vector<FlagCounts> counts(static_cast<std::size_t>(columns));
+    while (rgba.size() >= 4 * counts.size())
+        for (FlagCounts& column : counts) {
+            ++column.pixels[static_cast<std::size_t>(flag_of(rgba.first<4>()))];
+            rgba = rgba.subspan(4);
+        }
     return counts;
 }
 

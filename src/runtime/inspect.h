@@ -84,8 +84,15 @@ Flag flag_of(std::span<const float, 4> rgba);
 struct FlagCounts {
     std::array<std::size_t, flag_count> pixels{};
     std::size_t operator[](Flag flag) const { return pixels[static_cast<std::size_t>(flag)]; }
+    bool operator==(const FlagCounts&) const = default;
+    FlagCounts& operator+=(const FlagCounts& more) {
+        for (std::size_t i = 0; i < flag_count; ++i) pixels[i] += more.pixels[i];
+        return *this;
+    }
 };
 FlagCounts count_flags(std::span<const float> rgba);
+// Of each of so many columns, one or more.
+std::vector<FlagCounts> count_flags(std::span<const float> rgba, int columns);
 
 // RGBA bytes of as many pixels: flagged ones in their colours, the others in dim greys.
 void paint_flags(std::span<const float> rgba, std::vector<std::byte>& picture);

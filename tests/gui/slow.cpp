@@ -171,6 +171,11 @@ TEST_F(SlowPictures, SideBySideAreAsCoarseAndComeInStripsTogether) {
     const auto [all, coarse] = drawn();
     EXPECT_EQ(all - coarse, 1) << "one sharp picture of both";
     EXPECT_GT(state()["strips"], strips + 1);
+    user("key n");
+    EXPECT_GT(marked(), 3) << "both halves' marks come in strips";
+    settle();
+    EXPECT_EQ(state()["pixels"]["flags"].size(), 2U) << state()["pixels"];
+    EXPECT_EQ(drawn(), (std::array{0, 0})) << "the scene is not drawn again";
 }
 
 // Strips share what is off-screen with pictures that are saved meanwhile, of other moments.

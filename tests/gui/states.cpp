@@ -119,6 +119,80 @@ TEST_F(States, PixelsWithoutANumberHaveAColourAndAWordOfTheirOwn) {
     keep("heat-no-number");
 }
 
+// What a picture of bytes can't show is NaN on the left, above 1 on the right.
+TEST_F(States, AreMarkedEachByItsOwnValues) {
+    save("paint.frag", fragment("(uRed > .5 ? sqrt(-uRed) : 1.)"));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    constexpr Pixel nan{255, 0, 220}, above{255, 106, 0};
+    const std::array<double, 4> area = state()["scene"];
+    const auto column = [&] { return long{on("accuracy.divider")[0]} - std::lround(area[0]); };
+    // In the rows of the wall, where no legend covers it.
+    const auto marked = [&](const Pixel& color, bool right) {
+        const Picture screen = look();
+        double count = 0;
+        const auto [from, to] = right ? std::pair(column(), std::lround(area[2])) : std::pair(0L, column());
+        for (long x = from; x < to; ++x)
+            for (double y = area[3] * .2; y < area[3] * .8; ++y) count += screen.at(area[0] + x, area[1] + y) == color;
+        return count;
+    };
+    // The divider covers a few columns of what is counted.
+    const auto expect_marks = [&](const Pixel& left, const Pixel& right, const char* what) {
+        const json flags = state()["pixels"]["flags"];
+        for (const bool side : {false, true}) {
+            const Pixel& color = side ? right : left;
+            std::string name;
+            for (const auto& [key, value] : flags.items())
+                if (key.starts_with(side ? "right: " : "left: ")) name = key;
+            ASSERT_FALSE(name.empty()) << what << " " << flags;
+            EXPECT_EQ(scene_pixel(side ? 40 : -130, 20), color) << what << " " << name;
+            const double said = flags[name][color == nan ? "NaN" : "above 1"];
+            EXPECT_NEAR(said, marked(color, side), 4 * area[3]) << what << " " << name;
+            EXPECT_GT(said, 9000) << what << " " << name;
+            EXPECT_EQ(flags[name][color == nan ? "above 1" : "NaN"], 0) << what << " " << name;
+        }
+    };
+    user("key s");
+    settle();
+    for (const std::string side : {"left", "right"}) {
+        click("accuracy." + side);
+        click(side + ".settings");
+        user("type --delay 8 uRed=" + std::string(side == "left" ? "0.9" : "0.2"));
+        user("key Return");
+        settle();
+    }
+    user("key n");
+    settle();
+    // Wherever the pointer is.
+    for (const int off : {-60, 60}) {
+        user(fmt::format("mousemove {} {}", area[0] + area[2] / 2 + off, area[1] + area[3] / 2 + 40));
+        settle();
+        expect_marks(nan, above, off < 0 ? "pointer on the left" : "pointer on the right");
+    }
+    keep("states-marks");
+    const int frames = state()["counters"]["frames"];
+    const auto [x, y] = on("accuracy.divider");
+    drag({x, y + 90}, {x - 90, y + 90});
+    EXPECT_NEAR(static_cast<double>(column()), area[2] / 2 - 90, 3);
+    expect_marks(nan, above, "the divider was moved");
+    EXPECT_EQ(state()["counters"]["frames"], frames) << "nothing was drawn for it";
+    click("accuracy.swap");
+    settle();
+    expect_marks(above, nan, "swapped");
+    click("accuracy.other");
+    settle();
+    EXPECT_FALSE(state()["pixels"].contains("flags")) << "the heat map is of both";
+    EXPECT_GT(scene_pixel(40, 20).blue, 200) << "no number";
+    EXPECT_NE(scene_pixel(40, 20), nan);
+    click("accuracy.other");
+    settle();
+    expect_marks(above, nan, "side by side again");
+    user("key s");
+    settle();
+    EXPECT_EQ(state()["pixels"]["flags"].value("NaN", -1), 0) << "of a single picture";
+    EXPECT_EQ(scene_pixel(-40, 20), above);
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
 TEST_F(States, OfTheTextAreThereToo) {
     drag(on("Paint.uRed", .2), on("Paint.uRed", .75));
     const double slid = state()["controls"]["Paint.uRed"][0];

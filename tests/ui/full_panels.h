@@ -113,6 +113,11 @@ public:
         states_.sides[0] = {"reference", "reference, last good picture: the shader does not compile", true};
         states_.sides[1] = {"TINT=dark", "TINT=dark: cannot read " + long_path, true, true};
     }
+    void marked_states() {
+        pixels();
+        two_states();
+        pixels_.flags = {{"left: snapshot 1", flags_}, {"right: uRefractiveIndex=2.42 " + long_name, flags_}};
+    }
     void found() {
         accuracy();
         accuracy_.of_scene = true;
@@ -252,7 +257,7 @@ public:
     void pixels() {
         memory_.tab = Tab::tools;
         flags_.pixels = {0, 1234567, 1234567, 1234567, 1234567};
-        pixels_.flags = flags_;
+        pixels_.flags = {{"", flags_}};
         facts_.pixels = &pixels_;
         memory_.pixels.flags = true;
         memory_.open.emplace("Pixels");
@@ -290,7 +295,7 @@ public:
         textures_.slices = 64;
         textures_.floats = true;
         flags_.pixels = {0, 1234567, 1234567, 1234567, 1234567};
-        textures_.texel.flags = flags_;
+        textures_.texel.flags = {{"", flags_}};
         facts_.textures = &textures_;
         memory_.pixels.flags = true;
         memory_.open.emplace("Textures");

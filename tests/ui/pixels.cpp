@@ -81,7 +81,7 @@ TEST_F(UiPixels, NShowsWhatIsNoColorAndHowMuchOfIt) {
     EXPECT_TRUE(memory_.pixels.flags);
     facts_.pixels = &pixels_;
     EXPECT_GT(place("flag counts").width, ImGui::CalcTextSize("looking\u2026").x) << "no empty box before them";
-    pixels_.flags = FlagCounts{{100, 2, 30, 4, 5}};
+    pixels_.flags = {{"", FlagCounts{{100, 2, 30, 4, 5}}}};
     EXPECT_TRUE(inside(place("flag counts"), memory_.scene));
     memory_.tab = Tab::tools;
     click(place("pixels"));

@@ -153,6 +153,7 @@ const Panel panels[] = {
     {"state-menu", "right.settings", &Screens::state_menu},
     {"heat-map", "accuracy.swap", &Screens::heat_map},
     {"blank-states", "accuracy.swap", &Screens::blank_states},
+    {"marked-states", "accuracy.swap", &Screens::marked_states},
     {"found", "found.find", &Screens::found},
     {"found-untried", "found.find", &Screens::found_untried},
     {"clock", "scrub", &Screens::clock},

@@ -150,7 +150,7 @@ TEST_F(UiTextures, IsClosedWhileItIsHidden) {
 }
 
 TEST_F(UiTextures, CountsOfMarksAreThereWhileTheyAreOn) {
-    textures_.texel.flags = FlagCounts{{100, 2, 30, 4, 5}};
+    textures_.texel.flags = {{"", FlagCounts{{100, 2, 30, 4, 5}}}};
     const Rect before = place("textures.channel.RGB");
     frame({key(Key::n, true)});
     frame({key(Key::n, false)});

@@ -192,7 +192,7 @@ void Display::show(PixelSize pixels, std::optional<int> divider) const {
         side.canvases.of(side.drawn).show(0, bottom(pixels), stand.width, stand.height, 0, first);
     };
     copy(sides_[0], 0);
-    if (divider && sides_[1].drawn.stand.width > 0) copy(sides_[1], std::max(1, *divider));
+    if (divider && sides_[1].drawn.stand.width > 0) copy(sides_[1], *divider);
 }
 
 void Display::present(double interface_ms) {

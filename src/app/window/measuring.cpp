@@ -58,16 +58,20 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
     const float density = static_cast<float>(stand.width) / memory.scene.width;
     const bool texels =
         textures_.follow(document, display.drawn().revision, display.counters().frames, memory, density);
-    // The half under the pointer.
-    const std::optional<int> column = divider(stand.width, memory.accuracy);
-    const bool right = column && memory.pixels.x * density >= *column;
     const bool heat = states_.active() && memory.accuracy.show == ui::AccuracyMemory::Show::heat;
-    ui::PixelMemory asked = memory.pixels;
-    asked.inspecting &= !column || found_.rung() || states_.shows(right);
-    const std::string name = !found_.rung() ? states_.text(right) : right ? "the scene as it is" : found_text();
-    const std::string half = column || heat ? (right ? "right: " : "left: ") + name : "";
-    bool pixels = pixels_.follow(right ? *beside(scene) : document, stand, display.counters().frames, asked, density,
-                                 half, {display.lasts(), sharp && display.sharp_share() == 0});
+    PixelView::Sight sight{.heat = heat, .stand = stand, .picture = display.counters().frames, .density = density};
+    sight.lasts = display.lasts();
+    sight.sharp = sharp && display.sharp_share() == 0;
+    const std::optional<int> column = divider(stand.width, memory.accuracy);
+    const auto add = [&](bool right, Document& half, const std::string& rung) {
+        const std::string name = !found_.rung() ? states_.text(right) : rung;
+        sight.halves.push_back({found_.rung() || states_.shows(right) ? &half : nullptr,
+                                column || heat ? (right ? "right: " : "left: ") + name : ""});
+    };
+    add(false, document, found_text());
+    if (column) add(true, *beside(scene), "the scene as it is");
+    sight.divider = column.value_or(0);
+    bool pixels = pixels_.follow(sight, memory.pixels);
     const Inspection* const inspected = heat ? pixels_.inspection() : nullptr;
     pixels |= pixels_.set_difference(inspected ? accuracy_.difference(inspected->x, inspected->y, memory.accuracy)
                                                : std::nullopt);
@@ -99,7 +103,7 @@ std::string Measuring::found_text() const { return found_.rung() ? ui::found_tex
 
 std::optional<int> Measuring::divider(int width, const ui::AccuracyMemory& memory) const {
     if (!states_.active() || memory.show != ui::AccuracyMemory::Show::split) return std::nullopt;
-    return static_cast<int>(std::lround(memory.divider * static_cast<float>(width)));
+    return std::clamp(static_cast<int>(std::lround(memory.divider * static_cast<float>(width))), 1, std::max(width, 1));
 }
 
 void Measuring::tell(ui::Facts& facts, Document* document, const Session& session, const ui::Memory& memory) {
@@ -141,7 +145,7 @@ bool Measuring::outdated(const Document& document) const {
 
 void Measuring::show(int y, const ui::Memory& memory) {
     accuracy_.show(y, memory.accuracy);
-    pixels_.show(y);
+    pixels_.show(y, divider(pixels_.width(), memory.accuracy));
 }
 
 }  // namespace snell

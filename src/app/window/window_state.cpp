@@ -82,9 +82,11 @@ json found_of(const ui::FoundFacts& facts) {
 json pixels_of(const ui::PixelFacts& facts) {
     json pixels{{"title", facts.half.empty() ? facts.at : facts.at + ", " + facts.half}};
     if (facts.drawn) pixels["drawn"] = *facts.drawn;
-    if (facts.flags)
+    for (const auto& [half, counts] : facts.flags) {
+        json& flags = half.empty() ? pixels["flags"] : pixels["flags"][half];
         for (const Flag flag : {Flag::nan, Flag::infinite, Flag::negative, Flag::above_one})
-            pixels["flags"][std::string(name(flag))] = (*facts.flags)[flag];
+            flags[std::string(name(flag))] = counts[flag];
+    }
     if (!facts.inspection) return pixels;
     const Inspection& found = *facts.inspection;
     pixels["at"] = {found.x, found.y};

@@ -120,32 +120,38 @@ void pixels_section(Titles& open, PixelMemory& memory, Layout& layout) {
     wrapped("Hold I over the picture to see a pixel's values.", true);
 }
 
-void flag_counts(const FlagCounts& counts, float room) {
+void flag_counts(std::span<const Flagged> halves, float room) {
     const float em = ImGui::GetFontSize();
     const bool narrow = room < 34 * em;
-    for (const Flag flag : flags) {
-        if (flag != flags.front() && !narrow) ImGui::SameLine(0, em);
-        swatch(flag);
-        ImGui::SameLine(0, em * .3F);
-        ImGui::Text("%s %zu", name(flag).data(), counts[flag]);
+    for (const Flagged& half : halves) {
+        if (&half != &halves.front() && narrow) ImGui::SameLine(0, em);
+        ImGui::BeginGroup();
+        if (!half.half.empty()) fitted(half.half, narrow ? (room - em) / 2 : room, true);
+        for (const Flag flag : flags) {
+            if (flag != flags.front() && !narrow) ImGui::SameLine(0, em);
+            swatch(flag);
+            ImGui::SameLine(0, em * .3F);
+            ImGui::Text("%s %zu", name(flag).data(), half.counts[flag]);
+        }
+        ImGui::EndGroup();
     }
 }
 
 float flags_legend(const Facts& facts, const Rect& picture, const PixelMemory& memory, Layout& layout) {
     if (!memory.flags || !facts.pixels) return picture.y;
     const Rect scene = with_room(picture);
-    const float em = ImGui::GetFontSize();
-    const float margin = ImGui::GetStyle().WindowPadding.x;
+    const float margin = ImGui::GetStyle().WindowPadding.x, room = scene.width - 3 * margin;
+    if (facts.pixels->flags.size() > 1 && room < 20 * ImGui::GetFontSize()) return picture.y;
     ImGui::SetNextWindowPos({scene.x + scene.width - margin, scene.y + margin}, 0, {1, 0});
     ImGui::SetNextWindowBgAlpha(.93F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ImGui::GetStyle().PopupRounding);
     if (ImGui::Begin("##legend", nullptr, passive | ImGuiWindowFlags_AlwaysAutoResize)) {
-        if (!facts.pixels->flags) {
-            const PixelFacts& pixels = *facts.pixels;
+        const PixelFacts& pixels = *facts.pixels;
+        if (pixels.flags.empty()) {
             const Text looking("looking\u2026 {:.0f} %", std::floor(100 * pixels.drawn.value_or(0)));
-            fitted(pixels.note.empty() ? looking.view() : pixels.note, scene.width - 2 * em);
+            fitted(pixels.note.empty() ? looking.view() : pixels.note, room);
         } else {
-            flag_counts(*facts.pixels->flags, scene.width - 2 * em);
+            flag_counts(pixels.flags, room);
         }
     }
     layout.place_window("flag counts");

@@ -4,7 +4,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "src/runtime/inspect.h"
 #include "src/ui/kit/kit.h"
@@ -20,13 +22,20 @@ namespace snell::ui {
 
 struct Facts;
 
+// Of what is seen of a picture.
+struct Flagged {
+    std::string half;  // as PixelFacts has it
+    FlagCounts counts;
+    bool operator==(const Flagged&) const = default;
+};
+
 struct PixelFacts {
     const Inspection* inspection = nullptr;  // set while PixelMemory::inspecting
     std::string at;                          // "pixel 12, 34"
     std::string half;                        // "right: as saved", where two states are shown
     std::string statement, place;            // what the pixel shows, and more of it; both empty if nothing covers it
     std::optional<double> difference;        // of light between two states, under their heat map
-    std::optional<FlagCounts> flags;         // set while PixelMemory::flags
+    std::vector<Flagged> flags;              // of each half, once they are there; empty while !PixelMemory::flags
     std::string note;                        // why there are no flags; empty if there are
     std::optional<double> drawn;             // how much of a picture with new flags, where that takes long
 };
@@ -43,8 +52,8 @@ Text value_text(float value);
 // Handles I and N.
 void pixel_keys(const Rect& scene, PixelMemory& memory);
 void pixels_section(Titles& open, PixelMemory& memory, Layout& layout);
-// Draws the counts of flagged pixels in a line, or below each other if they are wider than `room`.
-void flag_counts(const FlagCounts& counts, float room);
+// Draws the counts of flagged pixels in a line for each half, or below each other if they are wider than `room`.
+void flag_counts(std::span<const Flagged> halves, float room);
 // Draws a legend with the counts of flagged pixels over the picture. Returns where it ends.
 float flags_legend(const Facts& facts, const Rect& scene, const PixelMemory& memory, Layout& layout);
 // Draws the values of a pixel next to the pointer, within `area` if there is room, and otherwise over all.

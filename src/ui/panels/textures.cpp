@@ -183,7 +183,7 @@ void textures_section(const Facts& facts, Memory& memory, Layout& layout) {
     if (!row.loaded) return;
     picture(shown, textures, layout);
     zoom_row(shown, textures, layout);
-    if (memory.pixels.flags && shown.texel.flags) flag_counts(*shown.texel.flags, ImGui::GetContentRegionAvail().x);
+    if (memory.pixels.flags) flag_counts(shown.texel.flags, ImGui::GetContentRegionAvail().x);
     channel_row(textures, layout);
     whole_row("level", textures.level, shown.levels, layout);
     whole_row("slice", textures.slice, shown.slices, layout);

@@ -23,8 +23,8 @@ Frame PixelView::frame(const Document& shown, const Stand& stand) {
     return frame;
 }
 
-bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
-                       float density, std::string_view half, const Pace& pace) {
+bool PixelView::follow(const Sight& sight, const ui::PixelMemory& memory) {
+    const Stand& stand = sight.stand;
     const bool wanted = (memory.inspecting || memory.flags) && stand.width > 0 && stand.height > 0;
     if (!wanted) {
         const bool had = pixels_ != nullptr;
@@ -36,44 +36,55 @@ bool PixelView::follow(Document& shown, const Stand& stand, std::uint64_t pictur
         facts_.note = "The graphics driver has no pictures of floats.";
         return false;
     }
-    bool fresh = false;
-    if (!memory.inspecting) {
-        fresh = facts_.inspection != nullptr;
-        facts_.inspection = nullptr;
+    const bool none = ranges::none_of(sight.halves, [](const Half& half) { return half.document != nullptr; });
+    facts_.note = sight.heat ? "The heat map has no marks." : none ? "There is no picture to be marked." : "";
+    const bool fresh = follow_pointer(sight, memory);
+    return follow_flags(sight, memory.flags && facts_.note.empty()) || fresh;
+}
+
+bool PixelView::follow_pointer(const Sight& sight, const ui::PixelMemory& memory) {
+    const Stand& stand = sight.stand;
+    const int x = std::clamp(static_cast<int>(std::floor(memory.x * sight.density)), 0, stand.width - 1);
+    const int y = std::clamp(static_cast<int>(std::floor(memory.y * sight.density)), 0, stand.height - 1);
+    const Half& half = sight.halves[sight.halves.size() > 1 && x >= sight.divider ? 1 : 0];
+    if (!memory.inspecting || !half.document) {
         looked_ = 0;
-    } else {
-        const int x = std::clamp(static_cast<int>(std::floor(memory.x * density)), 0, stand.width - 1);
-        const int y = std::clamp(static_cast<int>(std::floor(memory.y * density)), 0, stand.height - 1);
-        if (looked_ != picture || found_.x != x || found_.y != y || half_ != half) {
-            half_ = half;
-            look(shown, stand, x, y);
-            looked_ = picture;
-            fresh = true;
-        }
+        return std::exchange(facts_.inspection, nullptr) != nullptr;
     }
-    if (!memory.flags) {
-        fresh |= unflag();
-    } else if (std::pair now{picture, std::string(half)}; flagged_ != now) {
-        const bool waits = pace.lasts > 0 && !pace.sharp, waited = facts_.drawn.value_or(1) == 0;
-        if (!waits || !waited) fresh |= unflag();
+    if (looked_ == sight.picture && found_.x == x && found_.y == y && half_ == half.name) return false;
+    half_ = half.name;
+    look(*half.document, stand, x, y);
+    looked_ = sight.picture;
+    return true;
+}
+
+bool PixelView::follow_flags(const Sight& sight, bool wanted) {
+    if (!wanted) return unflag();
+    bool fresh = false;
+    std::pair now{sight.picture, std::vector<std::string>()};
+    for (const Half& half : sight.halves) now.second.push_back(half.name);
+    if (flagged_ != now) {
+        const bool waits = sight.lasts > 0 && !sight.sharp, waited = facts_.drawn.value_or(1) == 0;
+        if (!waits || !waited) fresh = unflag();
         if (waits) {
             facts_.drawn = 0;
-            fresh |= !waited;
-        } else {
-            flagged_ = std::move(now);
-            strips_.emplace(stand.width, stand.height, pace.lasts);
+            return !waited;
         }
+        flagged_ = std::move(now);
     }
-    if (strips_) fresh |= flag(shown, stand);
-    return fresh;
+    if (marked_.size() < sight.halves.size()) {
+        flag(sight);
+        fresh = true;
+    }
+    return count(sight) || fresh;
 }
 
 bool PixelView::unflag() {
-    const bool had = facts_.flags.has_value() || facts_.drawn.has_value();
-    facts_.flags.reset();
+    const bool had = !facts_.flags.empty() || facts_.drawn.has_value();
+    facts_.flags.clear();
     facts_.drawn.reset();
     strips_.reset();
-    still_ = {};
+    marked_.clear();
     flagged_ = {};
     return had;
 }
@@ -91,25 +102,51 @@ void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
     facts_.place = statement_place(span, shown.sources);
 }
 
-bool PixelView::flag(Document& shown, const Stand& stand) {
+void PixelView::flag(const Sight& sight) {
     using Clock = std::chrono::steady_clock;
-    const bool whole = strips_->draw([&](const PixelRect& strip) {
-        const Clock::time_point start = Clock::now();
-        pixels_->draw(*shown.runtime, frame(shown, stand), rgba_, strip);
-        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    });
-    facts_.drawn = strips_->share();
-    if (!whole) return true;
+    const Stand& stand = sight.stand;
+    const std::size_t count = sight.halves.size();
+    while (marked_.size() < count) {
+        Document* const shown = sight.halves[marked_.size()].document;
+        if (shown) {
+            if (!strips_) strips_.emplace(stand.width, stand.height, sight.lasts);
+            const bool whole = strips_->draw([&](const PixelRect& strip) {
+                const Clock::time_point start = Clock::now();
+                pixels_->draw(*shown->runtime, frame(*shown, stand), rgba_, strip);
+                return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+            });
+            facts_.drawn = (static_cast<double>(marked_.size()) + strips_->share()) / static_cast<double>(count);
+            if (!whole) return;
+        }
+        strips_.reset();
+        Marked& marked = marked_.emplace_back();
+        if (!shown) continue;
+        marked.columns = count_flags(rgba_, stand.width);
+        paint_flags(rgba_, painted_);
+        marked.still.set(stand.width, stand.height, painted_);
+    }
     facts_.drawn.reset();
-    strips_.reset();
-    facts_.flags = count_flags(rgba_);
-    paint_flags(rgba_, painted_);
-    still_.set(stand.width, stand.height, painted_);
-    return true;
 }
 
-void PixelView::show(int y) const {
-    if (facts_.flags) still_.show(0, y, 1);
+bool PixelView::count(const Sight& sight) {
+    std::vector<ui::Flagged> seen;
+    for (std::size_t i = 0; marked_.size() == sight.halves.size() && i < marked_.size(); ++i) {
+        const std::vector<FlagCounts>& columns = marked_[i].columns;
+        if (columns.empty()) continue;
+        const std::ptrdiff_t divider = sight.divider;
+        FlagCounts counts;
+        std::for_each(i == 0 ? columns.begin() : columns.begin() + divider,
+                      i == 0 && marked_.size() > 1 ? columns.begin() + divider : columns.end(),
+                      [&](const FlagCounts& column) { counts += column; });
+        seen.push_back({sight.halves[i].name, counts});
+    }
+    return std::exchange(facts_.flags, seen) != seen;
+}
+
+void PixelView::show(int y, std::optional<int> divider) const {
+    if (facts_.flags.empty()) return;
+    marked_.front().still.show(0, y, 1);
+    if (divider && marked_.size() > 1) marked_.back().still.show(0, y, 1, *divider);
 }
 
 namespace {
@@ -289,7 +326,7 @@ bool TextureView::look(const gl::Plane& plane, const Shown& shown, const ui::Tex
 bool TextureView::count(const gl::Plane& plane, const Shown& shown, bool wanted) {
     if (!wanted) {
         counted_.reset();
-        return std::exchange(facts_.texel.flags, std::nullopt).has_value();
+        return !std::exchange(facts_.texel.flags, {}).empty();
     }
     if (counted_ == shown) return false;
     counted_ = shown;
@@ -299,10 +336,9 @@ bool TextureView::count(const gl::Plane& plane, const Shown& shown, bool wanted)
     for (int top = 0; facts_.floats && top < plane.height(); top += rows) {
         ++facts_.read;
         if (!viewer_->read(plane, 0, top, plane.width(), std::min(rows, plane.height() - top), rgba)) break;
-        const FlagCounts more = count_flags(rgba);
-        for (std::size_t i = 0; i < flag_count; ++i) counts.pixels[i] += more.pixels[i];
+        counts += count_flags(rgba);
     }
-    facts_.texel.flags = counts;
+    facts_.texel.flags = {{"", counts}};
     return true;
 }
 

@@ -25,16 +25,26 @@ namespace snell {
 // The axes are left out, because they are not part of the scene.
 class PixelView {
 public:
-    // Call it after each frame, whether the picture was drawn or is unchanged. `picture` counts pictures; `density` is
-    // pixels per window coordinate. `half` names that of two states that `shown` is, where two are shown. Pixels are
-    // flagged once the picture is `sharp`, in strips if it `lasts` so many milliseconds, as Display says. Returns true
-    // if something must be shown again.
-    struct Pace {
+    // What the window shows: one picture, or two states side by side, the right one from a column on.
+    struct Half {
+        Document* document;  // null: there is no picture of that state
+        std::string name;    // as ui::PixelFacts::half
+    };
+    struct Sight {
+        std::vector<Half> halves;
+        int divider = 0;
+        bool heat = false;  // over it lies what differs
+        Stand stand;
+        std::uint64_t picture = 0;  // counts pictures
+        float density = 1;          // pixels per window coordinate
+        // Pixels are flagged once the picture is sharp, in strips if it lasts so many milliseconds, as Display says.
         double lasts = 0;
         bool sharp = true;
     };
-    bool follow(Document& shown, const Stand& stand, std::uint64_t picture, const ui::PixelMemory& memory,
-                float density, std::string_view half, const Pace& pace);
+    // Call it after each frame, whether the picture was drawn or is unchanged. Returns true if something must be shown
+    // again.
+    bool follow(const Sight& sight, const ui::PixelMemory& memory);
+    int width() const { return pixels_ ? pixels_->width() : 0; }
     // The next strip can be drawn.
     bool busy() const { return strips_.has_value(); }
     // Null while nothing is requested. Valid until the next call of follow().
@@ -45,28 +55,40 @@ public:
     bool set_difference(std::optional<double> difference) {
         return std::exchange(facts_.difference, difference) != difference;
     }
-    // Draws the flagged pixels over the window's picture, whose bottom left is at pixel (0, y).
-    void show(int y) const;
+    // Draws the flagged pixels over the window's picture, whose bottom left is at pixel (0, y); right of the divider,
+    // those of the right half.
+    void show(int y, std::optional<int> divider) const;
 
 private:
     Frame frame(const Document& shown, const Stand& stand);
+    // These return true if something must be shown again.
+    bool follow_pointer(const Sight& sight, const ui::PixelMemory& memory);
+    bool follow_flags(const Sight& sight, bool wanted);
     void look(Document& shown, const Stand& stand, int x, int y);
-    // Draws the next strips.
-    bool flag(Document& shown, const Stand& stand);
+    // Draws the next strips, of all halves if that does not take long.
+    void flag(const Sight& sight);
+    // Counts what is seen of each half.
+    bool count(const Sight& sight);
     // Returns true if there were flags, or some to come.
     bool unflag();
 
+    // A half whose pixels were looked at.
+    struct Marked {
+        std::vector<FlagCounts> columns;  // none, and an empty picture: there is no such state
+        gl::Still still;
+    };
+
     static constexpr int radius = 4;  // of the magnified area, in pixels
     std::unique_ptr<FloatPicture> pixels_;
-    std::uint64_t looked_ = 0;                       // the picture that was inspected last; 0: none
-    std::string half_;                               // likewise
-    std::pair<std::uint64_t, std::string> flagged_;  // the picture that is flagged, and its half
-    std::optional<Strips> strips_;                   // of it, until it is whole
+    std::uint64_t looked_ = 0;                                    // the picture that was inspected last; 0: none
+    std::string half_;                                            // likewise
+    std::pair<std::uint64_t, std::vector<std::string>> flagged_;  // the picture that is flagged, and its halves
+    std::vector<Marked> marked_;                                  // as many of these as are ready
+    std::optional<Strips> strips_;                                // of the next one
     Inspection found_;
     std::vector<float> rgba_;
     View view_;
     std::vector<std::byte> painted_;
-    gl::Still still_;
     ui::PixelFacts facts_;
 };
 
