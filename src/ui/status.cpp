@@ -32,7 +32,7 @@ struct Part {
 
 // At most as many as status_line() adds.
 struct Parts {
-    std::array<Part, 15> items;
+    std::array<Part, 16> items;
     std::size_t count = 0;
 
     // `least` and `shortened` are those of Part.
@@ -84,6 +84,9 @@ void draw(const Facts& facts, const Part& part, bool errors, Memory& memory, Lay
                  facts.samples, facts.renderer)
                 .view());
     if (std::string_view(part.name) == "notice") tip(memory.notice);
+    if (std::string_view(part.name) == "status.nan")
+        tip("pixels that are not a number, which show as any colour\ncounted in a small picture, which may miss single "
+            "ones; N marks all");
     layout.note(part.name);
 }
 
@@ -130,6 +133,7 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
     }
     // The names of two states say it themselves.
     if (facts.stale && !facts.states) parts.add("status.stale", 93, "last good picture").dim = false;
+    if (!facts.nan.empty()) parts.add("status.nan", 91, facts.nan, 4 * em, 45).dim = false;
     if (facts.found && !facts.found->shown.empty()) {
         const std::string text = found_text(*facts.found) + ": Esc shows the scene";
         parts.add("status.found", 95, text, 9 * em, 92).dim = false;

@@ -103,12 +103,12 @@ TEST_F(LadderWindow, ARungIsChosenInItsDropDown) {
     settle();
     expect_red(scene_pixel(20, 20), .8);
     EXPECT_FALSE(state().contains("accuracy")) << "a closed panel measures nothing";
-    const int frames = state()["counters"]["frames"];
+    const int frames = frames_of(state());
     click("DETAIL", .5, 3);
     ASSERT_TRUE(wait_for_rung("exact")) << "right click: as the scene says";
     settle();
     expect_red(scene_pixel(20, 20), .3);
-    EXPECT_EQ(state()["counters"]["frames"].get<int>(), frames + 1);
+    EXPECT_EQ(frames_of(state()), frames + 1);
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 

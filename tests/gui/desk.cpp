@@ -399,6 +399,10 @@ void Desk::settle() const {
     EXPECT_TRUE(there) << "the window is gone";
 }
 
+int Desk::frames_of(const nlohmann::json& state) {
+    return state["counters"]["frames"].get<int>() - state["nan"]["looks"].get<int>();
+}
+
 bool Desk::idle() const {
     settle();
     std::string last;

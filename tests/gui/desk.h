@@ -59,6 +59,8 @@ protected:
     void limit_memory(std::size_t more) const;
 
     nlohmann::json state() const;
+    // How often the scene's document was drawn, but to look for NaN, which is done when nothing happens for a while.
+    static int frames_of(const nlohmann::json& state);
     // False: not within that time.
     bool wait(const std::function<bool(const nlohmann::json&)>& holds, double seconds = 30) const;
     // Until the window has handled all input and all saved files, and shows what they lead to. What comes by itself

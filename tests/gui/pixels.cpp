@@ -70,7 +70,7 @@ TEST_F(Pixels, NPaintsWhatIsNoColor) {
     open("scene.glib");
     settle();
     const json before = state();
-    EXPECT_EQ(before["counters"]["frames"], before["frames"]) << "off, nothing is drawn for it";
+    EXPECT_EQ(frames_of(before), before["frames"]) << "off, nothing is drawn for it";
     press("n");
     const json flags = state()["pixels"]["flags"];
     const Pixel nan = scene_pixel(-60, 20), above = scene_pixel(60, 20), none = scene_pixel(-60, -380);
@@ -92,9 +92,46 @@ TEST_F(Pixels, NPaintsWhatIsNoColor) {
     drag(on("Odd.uMost", .1), on("Odd.uMost", .3));
     settle();
     const json after = state();
-    EXPECT_EQ(after["counters"]["frames"].get<int>() - off["counters"]["frames"].get<int>(),
-              after["frames"].get<int>() - off["frames"].get<int>())
+    EXPECT_EQ(frames_of(after) - frames_of(off), after["frames"].get<int>() - off["frames"].get<int>())
         << "off again, it costs nothing";
+    EXPECT_EQ(state()["gl_errors"].size(), 0U);
+}
+
+// Once the picture stands still: what is dragged costs nothing more, and what does not change is looked at once.
+TEST_F(Pixels, NaNIsSaidWithoutBeingAskedFor) {
+    open("scene.glib");
+    const auto said = [&](const std::string& text, int looks) {
+        EXPECT_TRUE(wait([&](const json& s) { return s["nan"]["text"].get<std::string>().starts_with(text); })) << text;
+        settle();
+        EXPECT_EQ(state()["nan"]["looks"], looks);
+        EXPECT_EQ(state()["widgets"].contains("status.nan"), !text.empty());
+        return state()["nan"]["text"].get<std::string>();
+    };
+    const std::string text = said("NaN in ", 1);
+    keep("nan");
+    const int told = std::stoi(text.substr(7));
+    const std::array<double, 4> area = state()["scene"];
+    press("n");
+    EXPECT_NEAR(told, 100 * state()["pixels"]["flags"]["NaN"].get<double>() / (area[2] * area[3]), 1.5) << text;
+    EXPECT_FALSE(state()["widgets"].contains("status.nan")) << "the marks tell it";
+    press("n");
+    said("NaN in ", 1);
+    EXPECT_TRUE(idle());
+    said("NaN in ", 1);
+    const auto [x, y] = on("Odd.uZero", .1);
+    user("mousemove " + std::to_string(x) + " " + std::to_string(y) + " mousedown 1 mousemove_relative 9 0 sleep .8");
+    said("", 1);
+    EXPECT_EQ(state()["nan"]["text"], "") << "nothing is said of an older picture";
+    user("mouseup 1");
+    EXPECT_TRUE(idle());
+    said("", 2);
+    EXPECT_EQ(state()["nan"]["text"], "") << "mended";
+    save("odd.frag",
+         "#version 330 compatibility\nuniform float uZero, uMost;\nin vec2 vST;\n"
+         "void main() { gl_FragColor = vec4(sqrt(vST.s > .99 ? -1. - uMost : 1.), uZero, 0., 1.); }\n");
+    said("NaN in under 1 %:", 3);
+    user("key s");
+    said("NaN in under 1 % of both sides:", 4);
     EXPECT_EQ(state()["gl_errors"].size(), 0U);
 }
 

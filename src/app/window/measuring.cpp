@@ -40,8 +40,20 @@ const Stand& Measuring::measured(const Display& display) {
     return measured_;
 }
 
-bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory) {
+bool Measuring::look_for_nan(Document& scene, const Display& display) {
+    std::vector<Document*> both{&shown(scene)};
+    if (Document* const right = beside(scene)) both.push_back(right);
+    return watch_.look(both, display.drawn().stand, display.counters().frame_ms);
+}
+
+bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory,
+                       double now) {
     const Stand& stand = display.drawn().stand;
+    Drawn lasting{.revision = display.drawn().revision, .stand = circumstances(stand)};
+    if (still) lasting.stand.time = stand.time;
+    lasting.rungs = display.drawn().rungs;
+    lasting.showing = display.drawn().showing;
+    const bool forgot = watch_.follow(lasting, now);
     stale = stale || scene.diagnostics.has_errors();  // of a scene that never was without, the picture is incomplete
     const Stand& measure = measured(display);
     const bool found = found_.follow(scene, stale, stand, still, memory.accuracy);
@@ -54,7 +66,7 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
     const bool sharp = display.drawn().grain == 0;
     const bool opened =
         frame_costs_.open(memory.frame_cost, display.drawn().revision, sharp ? display.counters().frame_ms : 0);
-    if (memory.scene.width <= 0) return opened || found;
+    if (memory.scene.width <= 0) return opened || found || forgot;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
     const bool texels =
         textures_.follow(document, display.drawn().revision, display.counters().frames, memory, density);
@@ -75,7 +87,7 @@ bool Measuring::follow(Document& scene, bool stale, const Display& display, bool
     const Inspection* const inspected = heat ? pixels_.inspection() : nullptr;
     pixels |= pixels_.set_difference(inspected ? accuracy_.difference(inspected->x, inspected->y, memory.accuracy)
                                                : std::nullopt);
-    return pixels || opened || texels || found;
+    return pixels || opened || texels || found || forgot;
 }
 
 bool Measuring::step(Document* document, const std::function<void()>& alive) {
@@ -120,6 +132,8 @@ void Measuring::tell(ui::Facts& facts, Document* document, const Session& sessio
     facts.frame_cost = frame_costs_.facts(document, measured_);
     facts.pixels = pixels_.facts();
     facts.textures = textures_.facts();
+    facts.nan = memory.pixels.flags ? std::string_view() : watch_.text();
+    facts.nan_looks = watch_.looks();
 }
 
 void Measuring::explain(ui::Facts& facts, const Document& document, const ui::Memory& memory) {

@@ -14,6 +14,7 @@
 #include "src/app/window/measure/frame_costs.h"
 #include "src/app/window/measure/inspector_view.h"
 #include "src/app/window/measure/states_view.h"
+#include "src/app/window/nan_watch.h"
 #include "src/app/window/session.h"
 #include "src/ui/panels/state.h"
 
@@ -57,7 +58,14 @@ public:
 
     // Call it after each frame, whether the picture was drawn or is unchanged. `still`: nothing moves, by hand or by
     // itself. Returns true if the panels must be shown again.
-    bool follow(Document& document, bool stale, const Display& display, bool still, const ui::Memory& memory);
+    bool follow(Document& document, bool stale, const Display& display, bool still, const ui::Memory& memory,
+                double now);
+    // True if look_for_nan() has something to do.
+    bool watches(const Document& scene, const Display& display, const ui::Memory& memory, double now) const {
+        return watch_.due(now) && display.drawn().grain == 0 && !memory.pixels.flags && !scene.diagnostics.has_errors();
+    }
+    // Returns true if the panels must be shown again.
+    bool look_for_nan(Document& scene, const Display& display);
     // True if step() has something to do.
     bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_ || found_.busy(); }
     // How much is drawn of a picture with marks of pixels, where that takes long.
@@ -93,6 +101,7 @@ private:
     FrameCosts frame_costs_;
     PixelView pixels_;
     TextureView textures_;
+    NanWatch watch_;
     Explanation explanation_;
     std::pair<std::uint64_t, int> explained_;  // the revision and Runtime::form() that explanation_ belongs to
     bool linking_ = false;                     // programs that tell what values switch off

@@ -87,6 +87,8 @@ private:
     bool look();
     // Draws the next part of a picture that is being saved.
     void save();
+    // Looks for NaN, if the picture has not changed for a while. Returns true if there is something new to show.
+    bool look_for_nan();
     // Compiles programs for the values as they are, if nothing was touched for a while. Returns true if there was
     // something to do.
     bool specialise();
@@ -364,6 +366,8 @@ void App::step() {
         touched_ = now;
         specialised_ = false;
     }
+    // First, for programs for these values would be compiled for this, too.
+    woken |= look_for_nan();
     const bool compiled = specialise();
     if (!woken && (compiled || !measure())) return;
     if (!events_.empty()) settle(until_equal);
@@ -397,6 +401,16 @@ bool App::look() {
     if (saved) reload();
     const bool linted = now > touched_ + until_still && workspace_.session().lint();
     return workspace_.look(interface_.view(), interface_.memory()) || saved || linted;
+}
+
+bool App::look_for_nan() {
+    Document* document = workspace_.document();
+    if (!document || interface_.pressed() || !std::isinf(due()) || workspace_.saving() || first_picture()) return false;
+    if (!measuring_.watches(*document, display_, interface_.memory(), window_->now())) return false;
+    hang_.begin("looking for NaN");
+    const bool found = measuring_.look_for_nan(*document, display_);
+    hang_.rest();
+    return found;
 }
 
 bool App::specialise() {
@@ -529,7 +543,7 @@ void App::show(bool repaint) {
     document = workspace_.document();
     if (first) interface_frame({});
     const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_,
-                                                    !running() && !interface_.pressed(), memory);
+                                                    !running() && !interface_.pressed(), memory, window_->now());
     if (drew || told) settle(told ? until_equal : 1);  // the panels show the new cost and values
     // The divider is in the interface's picture.
     const std::array now{interface_.picture(), measuring_.revision(memory)};

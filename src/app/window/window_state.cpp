@@ -158,6 +158,7 @@ void write_window_state(const std::string& file, const std::string& answered, co
         for (const ui::StateFacts::Side& side : measured.states->sides) state["states"].push_back(side.label);
     if (measured.found && measured.found->asked) state["found"] = found_of(*measured.found);
     if (measured.pixels) state["pixels"] = pixels_of(*measured.pixels);
+    state["nan"] = {{"text", measured.nan}, {"looks", measured.nan_looks}};
     if (measured.textures) state["textures"] = textures_of(*measured.textures);
     if (measured.frame_cost) state["frame_cost"] = frame_cost_of(*measured.frame_cost);
     json widgets = json::object();

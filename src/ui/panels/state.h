@@ -107,6 +107,8 @@ struct Facts {
     const FrameCostFacts* frame_cost = nullptr;        // set while Memory::frame_cost
     const PixelFacts* pixels = nullptr;                // set while PixelMemory needs them
     const TextureFacts* textures = nullptr;            // set while its panel is open
+    std::string_view nan;                              // how much of the picture is NaN; empty if nothing is known
+    std::uint64_t nan_looks = 0;                       // how often that was looked for
     std::string_view object;                           // name of the picked object
     std::span<const FileRow> files;                    // the files in use, in the order of reading
     std::string_view editor;                           // name of the editor that opens them

@@ -14,12 +14,12 @@
 
 namespace snell {
 
-// The off-screen targets still have what the window's picture drew, so they are not drawn again.
-Frame PixelView::frame(const Document& shown, const Stand& stand) {
-    view_ = stand.view;
-    view_.axes = false;
-    Frame frame{.time = stand.time, .view = view_, .controls = shown.controls, .paced = true};
+Frame drawn_again(const Document& shown, const Stand& stand, View& view) {
+    view = stand.view;
+    view.axes = false;
+    Frame frame{.time = stand.time, .view = view, .controls = shown.controls, .paced = true};
     frame.standing = true;
+    frame.enlarged = stand.enlarged;
     return frame;
 }
 
@@ -90,7 +90,7 @@ bool PixelView::unflag() {
 }
 
 void PixelView::look(Document& shown, const Stand& stand, int x, int y) {
-    pixels_->inspect(*shown.runtime, frame(shown, stand), x, y, radius, found_);
+    pixels_->inspect(*shown.runtime, drawn_again(shown, stand, view_), x, y, radius, found_);
     facts_.inspection = &found_;
     facts_.at = fmt::format("pixel {}, {}", found_.x, found_.y);
     facts_.half = half_;
@@ -112,7 +112,7 @@ void PixelView::flag(const Sight& sight) {
             if (!strips_) strips_.emplace(stand.width, stand.height, sight.lasts);
             const bool whole = strips_->draw([&](const PixelRect& strip) {
                 const Clock::time_point start = Clock::now();
-                pixels_->draw(*shown->runtime, frame(*shown, stand), rgba_, strip);
+                pixels_->draw(*shown->runtime, drawn_again(*shown, stand, view_), rgba_, strip);
                 return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
             });
             facts_.drawn = (static_cast<double>(marked_.size()) + strips_->share()) / static_cast<double>(count);

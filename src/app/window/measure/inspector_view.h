@@ -22,7 +22,10 @@
 
 namespace snell {
 
-// The axes are left out, because they are not part of the scene.
+// A frame of what the window has drawn: off-screen targets still have what that drew, so they are not drawn again. The
+// axes are left out, because they are not part of the scene. The frame has its view in `view`.
+Frame drawn_again(const Document& shown, const Stand& stand, View& view);
+
 class PixelView {
 public:
     // What the window shows: one picture, or two states side by side, the right one from a column on.
@@ -60,7 +63,6 @@ public:
     void show(int y, std::optional<int> divider) const;
 
 private:
-    Frame frame(const Document& shown, const Stand& stand);
     // These return true if something must be shown again.
     bool follow_pointer(const Sight& sight, const ui::PixelMemory& memory);
     bool follow_flags(const Sight& sight, bool wanted);
