@@ -57,7 +57,8 @@ public:
 
     // Call it after each frame, whether the picture was drawn or is unchanged. `still`: nothing moves, by hand or by
     // itself. Returns true if the panels must be shown again.
-    bool follow(Document& document, bool stale, const Display& display, bool still, const ui::Memory& memory);
+    bool follow(Document& document, const Session& session, const Display& display, bool still,
+                const ui::Memory& memory);
     // True if step() has something to do.
     bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_ || found_.busy(); }
     // How much is drawn of a picture with marks of pixels, where that takes long.

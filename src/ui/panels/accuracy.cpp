@@ -49,15 +49,18 @@ void remark(const Text& text) {
     ImGui::TextDisabled("%s", text.c_str());
 }
 
+// Says why nothing is compared.
+void note(const AccuracyFacts& facts, Layout& layout, const char* name) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+    wrapped(facts.note);
+    ImGui::PopStyleColor();
+    layout.note(name);
+}
+
 void figures(const Facts& all, Layout& layout) {
     const AccuracyFacts& facts = *all.accuracy;
     last_picture(all, layout);
-    if (!facts.note.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", facts.note.c_str());
-        ImGui::PopTextWrapPos();
-        return;
-    }
+    if (!facts.note.empty()) return note(facts, layout, "accuracy.note");
     const FoundRow* const rung = all.found ? shown_row(*all.found) : nullptr;
     const Text line = facts.samples > 0 ? error_line(facts.error, rung) : Text("\u2026");
     fitted(line.view(), ImGui::GetContentRegionAvail().x);
@@ -102,6 +105,12 @@ void legend(const AccuracyFacts& facts, float width, Layout& layout) {
     ImGui::SetCursorScreenPos({patch.x + 2.5F * height, patch.y});
     fitted("NaN or infinite", width - 2.5F * height, true);
     layout.note("accuracy.no number");
+}
+
+// False: the picture is plain, or a half is empty, although the heat map was chosen.
+bool has_heat(const Facts& facts) {
+    const bool blank = facts.states && ranges::any_of(facts.states->sides, &StateFacts::Side::blank);
+    return !blank && (!facts.accuracy || facts.accuracy->note.empty());
 }
 
 void show_buttons(AccuracyMemory& memory, Layout& layout) {
@@ -324,7 +333,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
     if (facts.accuracy) {
         figures(facts, layout);
         show_buttons(memory, layout);
-        if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty())
+        if (memory.show == AccuracyMemory::Show::heat && has_heat(facts))
             legend(*facts.accuracy, ImGui::GetContentRegionAvail().x, layout);
     }
     if (moves) {
@@ -342,6 +351,40 @@ void switch_split(AccuracyMemory& memory) {
     using Show = AccuracyMemory::Show;
     memory.show = memory.show == Show::picture ? Show::split : Show::picture;
 }
+
+namespace {
+
+constexpr ImGuiWindowFlags state_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+
+// What must be known of the two states, `width` wide: a window of its own above the buttons, so that these stay where
+// they are under the mouse. Returns where it begins.
+float state_remarks(const Facts& facts, bool heat, ImVec2 below, float width, bool narrow, Layout& layout) {
+    const bool compared = has_heat(facts), unsaid = !compared && facts.accuracy && !facts.accuracy->note.empty();
+    const bool legends = heat && compared && !narrow, notes = heat && unsaid;
+    if (!facts.states->fixed && !legends && !notes) return below.y;
+    ImGui::SetNextWindowPos(below, 0, {0, 1});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
+    ImGui::SetNextWindowBgAlpha(narrow ? 1.0F : .85F);
+    if (ImGui::Begin("##states above", nullptr, state_window)) {
+        if (facts.states->fixed) {
+            wrapped("Both sides are fixed: sliders change neither. Choose \"now\" for one of them.", true);
+            layout.note("accuracy.fixed");
+        }
+        if (notes) note(*facts.accuracy, layout, "accuracy.no map");
+        if (legends) {
+            ImGui::TextDisabled("Difference of light, where white is 1");
+            legend(facts.accuracy ? *facts.accuracy : AccuracyFacts(), ImGui::GetContentRegionAvail().x, layout);
+            layout.note("accuracy.legend");
+        }
+    }
+    const float top = ImGui::GetWindowPos().y;
+    ImGui::End();
+    return top;
+}
+
+}  // namespace
 
 float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory, Layout& layout) {
     using Show = AccuracyMemory::Show;
@@ -364,10 +407,7 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.PopupRounding);
     ImGui::SetNextWindowBgAlpha(two_lines ? 1.0F : .85F);
-    constexpr ImGuiWindowFlags bar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoFocusOnAppearing;
-    if (ImGui::Begin("##states", nullptr, bar)) {
+    if (ImGui::Begin("##states", nullptr, state_window)) {
         state_button(states, 0, left, memory, layout);
         ImGui::SameLine();
         if (two_lines) state_button(states, 1, left, memory, layout);
@@ -387,19 +427,10 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
             ImGui::SameLine();
             state_button(states, 1, left, memory, layout);
         }
-        if (states.fixed) {
-            fitted("Both sides are fixed: sliders change neither. Choose \"now\" for one of them.",
-                   std::max((two_lines ? left : all) - 2 * pad, 1.0F), true);
-            layout.note("accuracy.fixed");
-        }
-        if (memory.show == Show::heat && !two_lines) {
-            ImGui::TextDisabled("Difference of light, where white is 1");
-            legend(facts.accuracy ? *facts.accuracy : AccuracyFacts(), std::max(all - 2 * pad, 1.0F), layout);
-            layout.note("accuracy.legend");
-        }
     }
-    const float top = ImGui::GetWindowPos().y;
+    const ImVec2 corner = ImGui::GetWindowPos();
     ImGui::End();
+    const float top = state_remarks(facts, memory.show == Show::heat, corner, all, two_lines, layout);
     ImGui::PopStyleVar(2);
     return top;
 }
