@@ -387,6 +387,35 @@ TEST_F(LadderRows, ARightClickGivesTheScenesRungBack) {
     EXPECT_EQ(controls_.rungs, Rungs{1});
 }
 
+TEST_F(LadderRows, AChangedRungHasTheDotAndTheMenuOfAChangedValue) {
+    EXPECT_FALSE(has("FRESNEL.dot"));
+    const Rect before = place("FRESNEL");
+    controls_.rungs = {2};
+    const Rect dot = place("FRESNEL.dot");
+    EXPECT_EQ(place("FRESNEL"), before) << "nothing moves";
+    click(dot);
+    EXPECT_EQ(controls_.rungs, Rungs{1});
+    EXPECT_FALSE(has("FRESNEL.dot"));
+    controls_.rungs = {0};
+    click(place("FRESNEL.name"), MouseButton::right);
+    click(place("FRESNEL.reset"));
+    EXPECT_EQ(controls_.rungs, Rungs{1});
+    // By keys, too.
+    controls_.rungs = {2};
+    frame({key(Key::tab, true)});
+    frame({key(Key::tab, false)});
+    for (int i = 0; i < 40 && kit().focus.at != 0 && !has("FRESNEL.reset"); ++i) {
+        frame({key(Key::menu, true)});
+        frame({key(Key::menu, false)});
+        if (has("FRESNEL.reset")) break;
+        frame({key(Key::tab, true)});
+        frame({key(Key::tab, false)});
+    }
+    ASSERT_TRUE(has("FRESNEL.reset"));
+    click(place("FRESNEL.reset"));
+    EXPECT_EQ(controls_.rungs, Rungs{1});
+}
+
 TEST_F(LadderRows, WhatIsNoRungIsNotShown) {
     controls_.rungs = {7};
     EXPECT_FALSE(has("FRESNEL"));
