@@ -266,6 +266,19 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
     EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::picture);
 }
 
+TEST_F(AccuracyPanel, SaysHowTheTwoTimesAreMeant) {
+    open();
+    EXPECT_TRUE(has("accuracy.basis"));
+    values_.clock = "process CPU time";
+    facts_.samples = 4;
+    EXPECT_EQ(
+        basis_text(facts_),
+        "ms/sample compares rungs: process CPU time of all cores with one sample per pixel. The last picture's time "
+        "is the wait for it, with 4 samples per pixel.");
+    facts_.states = &states_;
+    EXPECT_TRUE(basis_text(facts_).ends_with("4 samples per pixel in both states.")) << basis_text(facts_);
+}
+
 TEST_F(AccuracyPanel, ColumnsAreHeaded) {
     open();
     for (const char* heading : {"rung", "ms/sample", "error"})

@@ -11,6 +11,7 @@
 #include <imgui_internal.h>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/content/image/image.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/field.h"
@@ -196,18 +197,17 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
 }
 
 // Draws error over cost of the rungs of a ladder. Returns true if the user starts measuring all of them, or stops it.
-bool ladder_part(const Scene& scene, const AccuracyFacts& facts, Controls& controls, AccuracyMemory& memory,
-                 Layout& layout) {
+bool ladder_part(const Facts& all, Controls& controls, AccuracyMemory& memory, Layout& layout) {
+    const Scene& scene = *all.scene;
+    const AccuracyFacts& facts = *all.accuracy;
     memory.ladder = std::min(memory.ladder, scene.ladders.size() - 1);
     ImGui::Spacing();
     const bool measure = plot_tools(scene.ladders, facts, memory, layout);
     accuracy_plot(facts.points, memory.plot, layout);
     rung_table(scene.ladders[memory.ladder], facts, controls.rungs[memory.ladder], layout);
-    if (!facts.remark.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", facts.remark.c_str());
-        ImGui::PopTextWrapPos();
-    }
+    wrapped(basis_text(all), true);
+    layout.note("accuracy.basis");
+    if (!facts.remark.empty()) wrapped(facts.remark, true);
     return measure;
 }
 
@@ -263,6 +263,15 @@ void state_button(const StateFacts& facts, std::size_t index, float width, Accur
 }
 
 }  // namespace
+
+std::string basis_text(const Facts& facts) {
+    const std::string_view clock = facts.accuracy->clock;
+    return fmt::format(
+        "ms/sample compares rungs: {}{} with one sample per pixel. The last picture's time is the wait for it, with {} "
+        "per pixel{}.",
+        clock, clock == "process CPU time" ? " of all cores" : "",
+        counted(static_cast<std::size_t>(facts.samples), "sample"), facts.states ? " in both states" : "");
+}
 
 std::string milliseconds_text(double milliseconds) {
     return fmt::format("{:.{}f} ms", milliseconds, milliseconds < 9.995 ? 2 : milliseconds < 99.95 ? 1 : 0);
@@ -341,7 +350,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
         layout.note("accuracy.hold time");
     }
     if (facts.accuracy && !facts.scene->ladders.empty() && controls.rungs.size() == facts.scene->ladders.size())
-        requests.measure = ladder_part(*facts.scene, *facts.accuracy, controls, memory, layout);
+        requests.measure = ladder_part(facts, controls, memory, layout);
     found_rungs(facts, requests, layout);
     ImGui::Unindent(indent);
     ImGui::Spacing();
