@@ -351,7 +351,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
     }
     if (facts.accuracy && !facts.scene->ladders.empty() && controls.rungs.size() == facts.scene->ladders.size())
         requests.measure = ladder_part(facts, controls, memory, layout);
-    found_rungs(facts, requests, layout);
+    found_rungs(facts, memory.found, requests, layout);
     ImGui::Unindent(indent);
     ImGui::Spacing();
 }

@@ -16,11 +16,11 @@
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
+#include "src/ui/panels/found.h"
 
 namespace snell::ui {
 
 struct Facts;
-struct FoundRow;
 struct Requests;
 
 // Error and cost of one choice of rungs that was drawn.
@@ -95,6 +95,7 @@ struct AccuracyMemory {
     Rungs rungs;                       // of the last frame
     bool hold_time = true;             // whether time is paused while the panel is in sight
     AccuracyPlot plot;
+    FoundMemory found;
 };
 
 // The range of errors that the heat map distinguishes, from black to white, as powers of ten.
