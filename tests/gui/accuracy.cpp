@@ -178,9 +178,11 @@ TEST_F(LadderWindow, ARungThatDoesNotCompileIsSaidAsABrokenEditIs) {
     ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
     open_panel();
     EXPECT_EQ(state()["errors"], 0) << "the rung is not chosen";
+    const json row = state()["widgets"]["accuracy.rung.far"];
     click("accuracy.rung.far", .1);
     ASSERT_TRUE(wait_for_rung("far"));
     settle();
+    EXPECT_EQ(state()["widgets"]["accuracy.rung.far"], row) << "it stays under the pointer";
     expect_red(scene_pixel(20, 20), .3);
     EXPECT_EQ(state()["errors"], 1);
     EXPECT_TRUE(shows("problems.panel"));
@@ -200,6 +202,7 @@ TEST_F(LadderWindow, ARungThatDoesNotCompileIsSaidAsABrokenEditIs) {
     // Read again with that rung, the text has errors; with the next one it has none.
     user("key F5");
     ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    settle();
     click("accuracy.rung.near", .1);
     ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0 && s["stale"] == false; }));
     settle();

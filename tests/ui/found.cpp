@@ -205,7 +205,8 @@ TEST_F(FoundPanel, EscapeEndsTheShowingBeforeAnythingElse) {
 
 TEST_F(FoundPanel, WhatIsShownCanBeWritten) {
     add("1");
-    EXPECT_FALSE(has("found.write"));
+    EXPECT_FALSE(clicked("found.write").write_rung) << "none is";
+    EXPECT_TRUE(has("found.hint"));
     found_.shown = "1";
     EXPECT_TRUE(clicked("found.write").write_rung);
     EXPECT_TRUE(clicked("found.copy").copy_rung);

@@ -58,16 +58,16 @@ void note(const AccuracyFacts& facts, Layout& layout, const char* name) {
     layout.note(name);
 }
 
-void figures(const Facts& all, Layout& layout) {
-    const AccuracyFacts& facts = *all.accuracy;
+void figures(const Facts& all, const AccuracyFacts& facts, Layout& layout) {
     last_picture(all, layout);
     if (!facts.note.empty()) return note(facts, layout, "accuracy.note");
     const FoundRow* const rung = all.found ? shown_row(*all.found) : nullptr;
-    const Text line = facts.samples > 0 ? error_line(facts.error, rung) : Text("\u2026");
+    const Text line =
+        facts.samples > 0 ? error_line(facts.error, rung) : Text(all.accuracy ? "\u2026" : "no rung is shown");
     fitted(line.view(), ImGui::GetContentRegionAvail().x);
     if (facts.samples > 0 && ImGui::IsItemHovered()) tip(error_tip(facts) + (rung && rung->error ? worst_meaning : ""));
     layout.note("accuracy.error");
-    remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
+    if (all.accuracy) remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
         fitted(
@@ -339,10 +339,11 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
         wrapped(facts.accuracy->reduced, true);
         layout.note("accuracy.reduced");
     }
-    if (facts.accuracy) {
-        figures(facts, layout);
+    // Found rungs are compared with the scene: the room is there before one is shown, so that their rows do not move.
+    if (facts.accuracy || (facts.found && !facts.found->rows.empty())) {
+        figures(facts, facts.accuracy ? *facts.accuracy : AccuracyFacts(), layout);
         show_buttons(memory, layout);
-        if (memory.show == AccuracyMemory::Show::heat && has_heat(facts))
+        if (facts.accuracy && memory.show == AccuracyMemory::Show::heat && has_heat(facts))
             legend(*facts.accuracy, ImGui::GetContentRegionAvail().x, layout);
     }
     if (moves) {

@@ -249,15 +249,26 @@ void held_groups(const Facts& facts, FoundMemory& memory, Requests& requests, La
     if (memory.grown) ImGui::Dummy({0, ImGui::GetWindowHeight()});  // so that it can be scrolled
 }
 
-// What can be done with the rung whose picture is shown.
+// What can be done with the rung whose picture is shown. It takes as much room while there is none, so that a click on
+// a row moves no row.
 void shown_rung(const FoundFacts& found, Requests& requests, Layout& layout) {
-    wrapped(fmt::format("The picture is that of {}. Esc shows the scene again, and so does a click on the row.",
-                        found_text(found)));
-    layout.note("found.shown");
+    const bool none = found.shown.empty();
+    const std::string whole = fmt::format(
+        "The picture is that of {}. Esc shows the scene again, and so does a click on the row.", found_text(found));
+    const float end = ImGui::GetCursorPosY() + ImGui::GetStyle().ItemSpacing.y +
+                      ImGui::CalcTextSize(whole.c_str(), nullptr, false, ImGui::GetContentRegionAvail().x).y;
+    wrapped(
+        none ? "A click on a row shows its picture. Write\u2026 then writes the scene with that change into a folder."
+             : whole,
+        none);
+    layout.note(none ? "found.hint" : "found.shown");
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), end));
+    ImGui::BeginDisabled(none);
     if (button("Write\u2026", layout, "found.write")) requests.write_rung = true;
     tip("Writes the scene and its shaders with this change into a folder");
     if (next_button("Copy command", layout, "found.copy")) requests.copy_rung = true;
     tip("Copies the command that writes them");
+    ImGui::EndDisabled();
 }
 
 // What must be known of the numbers.
@@ -305,7 +316,7 @@ void found_rungs(const Facts& facts, FoundMemory& memory, Requests& requests, La
         ImGui::ProgressBar(static_cast<float>(*found.progress), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     }
     remarks(found, layout);
-    if (!found.shown.empty()) shown_rung(found, requests, layout);
+    if (!found.rows.empty()) shown_rung(found, requests, layout);
     held_groups(facts, memory, requests, layout);
 }
 

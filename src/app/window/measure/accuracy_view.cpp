@@ -294,9 +294,7 @@ void Refinement::open_reference() {
 }
 
 std::string Refinement::note() const {
-    return failed_.empty() || !note_.empty()
-               ? note_
-               : failed_ + " has errors: the picture is of the rungs before, so there is nothing to compare.";
+    return failed_.empty() ? note_ : failed_ + " has errors.";  // short, so that the table below it stays in place
 }
 
 void Refinement::follow(Document& shown, bool stale, const std::string& failed, const Stand& stand, Document* scene) {
