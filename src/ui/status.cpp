@@ -132,7 +132,8 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
         parts.add("problems", 100, text).width += 2 * ImGui::GetStyle().FramePadding.x;
     }
     // The names of two states say it themselves.
-    if (facts.stale && !facts.states) parts.add("status.stale", 93, "last good picture").dim = false;
+    if ((facts.stale || !facts.failed_rungs.empty()) && !facts.states)
+        parts.add("status.stale", 93, "last good picture").dim = false;
     if (!facts.nan.empty()) parts.add("status.nan", 91, facts.nan, 4 * em, 45).dim = false;
     if (facts.found && !facts.found->shown.empty()) {
         const std::string text = found_text(*facts.found) + ": Esc shows the scene";

@@ -102,6 +102,13 @@ TEST(StateDifference, NamesEachValueWhereThereAreSome) {
               "uA 4.535, uSteps 1234567 | uA 1, uSteps 5e+09");
     EXPECT_EQ(told({{"--set M.uA", "1.0001"}}, {{"--set M.uA", "1"}}), "uA 1.0001 | 1") << "as many digits as it takes";
     EXPECT_EQ(told({{"--set M.uA", "1"}}, {{"--set M.uA", "1"}}), " | ");
+    EXPECT_EQ(told({{"--set Ball.uIndex", "1.33"}, {"--set Glass.uIndex", "1.5"}},
+                   {{"--set Ball.uIndex", "2.4"}, {"--set Glass.uIndex", "1.5"}}),
+              "Ball.uIndex 1.33 | 2.4")
+        << "the program, where two have a uniform of that name";
+    EXPECT_EQ(told({{"--ladder Ball.uIndex", "a"}, {"--set Glass.uIndex", "1"}, {"--set Glass.uMyuIndex", "1"}},
+                   {{"--ladder Ball.uIndex", "a"}, {"--set Glass.uIndex", "2"}, {"--set Glass.uMyuIndex", "1"}}),
+              "uIndex 1 | 2");
 }
 
 }  // namespace

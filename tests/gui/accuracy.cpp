@@ -45,6 +45,11 @@ protected:
         save("paint.vert", vertex);
         save("paint.frag", fragment);
     }
+    static std::string with(const std::string& instead_of, const std::string& text) {
+        std::string edited = fragment;
+        return edited.replace(edited.find(instead_of), instead_of.size(), text);
+    }
+    bool shows(const std::string& widget) const { return state()["widgets"].contains(widget); }
     void expect_red(const Pixel& pixel, double red) { EXPECT_NEAR(pixel.red, std::lround(255 * red), 1); }
 };
 
@@ -155,9 +160,7 @@ TEST_F(LadderWindow, ErrorsAreThoseOfTheRungs) {
 
 // Drawn, it would be as with the rung before.
 TEST_F(LadderWindow, ARungWithErrorsIsLeftOutAndNamed) {
-    std::string broken = fragment;
-    broken.replace(broken.find("float red = .8;"), 15, "float red = no_such_function();");
-    save("paint.frag", broken);
+    save("paint.frag", with("float red = .8;", "float red = no_such_function();"));
     user("key F5");
     user("key a");
     settle();
@@ -168,6 +171,76 @@ TEST_F(LadderWindow, ARungWithErrorsIsLeftOutAndNamed) {
     settle();
     for (const json& point : state()["accuracy"]["points"]) EXPECT_NE(point["name"], "far");
     EXPECT_EQ(state()["accuracy"]["points"].size(), 2U);
+}
+
+TEST_F(LadderWindow, ARungThatDoesNotCompileIsSaidAsABrokenEditIs) {
+    save("paint.frag", with("float red = .8;", "float red = no_such_function();"));
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    open_panel();
+    EXPECT_EQ(state()["errors"], 0) << "the rung is not chosen";
+    const json row = state()["widgets"]["accuracy.rung.far"];
+    click("accuracy.rung.far", .1);
+    ASSERT_TRUE(wait_for_rung("far"));
+    settle();
+    EXPECT_EQ(state()["widgets"]["accuracy.rung.far"], row) << "it stays under the pointer";
+    expect_red(scene_pixel(20, 20), .3);
+    EXPECT_EQ(state()["errors"], 1);
+    EXPECT_TRUE(shows("problems.panel"));
+    EXPECT_TRUE(shows("status.stale")) << "last good picture";
+    EXPECT_FALSE(shows("accuracy.error")) << "it would be the error of another rung";
+    EXPECT_EQ(state()["accuracy"]["note"].get<std::string>().find("DETAIL=far has errors"), 0U) << state()["accuracy"];
+    keep("broken-rung");
+    user("key s");
+    settle();
+    const std::string label = state()["states"][0];
+    EXPECT_EQ(label.find("now: DETAIL far, last good picture: "), 0U) << label;
+    click("accuracy.other");
+    settle();
+    EXPECT_FALSE(shows("accuracy.legend"));
+    EXPECT_TRUE(shows("accuracy.no map"));
+    user("key s");
+    // Read again with that rung, the text has errors; with the next one it has none.
+    user("key F5");
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    settle();
+    click("accuracy.rung.near", .1);
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0 && s["stale"] == false; }));
+    settle();
+    expect_red(scene_pixel(20, 20), .4);
+    EXPECT_FALSE(shows("status.stale"));
+    EXPECT_GT(refined()["error"], 0);
+    EXPECT_EQ(state()["gl_errors"], json::array());
+}
+
+TEST_F(LadderWindow, ASceneThatBeganWithABrokenRungIsMendedByAnother) {
+    end_window();
+    save("paint.frag", with("float red = .8;", "float red = no_such_function();"));
+    open("scene.glib", {"--size", "800x740", "--ladder", "DETAIL=far"});
+    EXPECT_EQ(state()["errors"], 1);
+    click("DETAIL");
+    click("DETAIL.near");
+    ASSERT_TRUE(wait([](const json& s) { return s["errors"] == 0; }));
+    settle();
+    expect_red(scene_pixel(20, 20), .4);
+}
+
+TEST_F(LadderWindow, WithoutAReferenceThereIsNoHeatMapNorItsLegend) {
+    click("DETAIL");
+    click("DETAIL.far");
+    user("key s");
+    settle();
+    const json before = state()["widgets"];
+    click("accuracy.other");
+    settle();
+    EXPECT_TRUE(shows("accuracy.legend"));
+    for (const char* button : {"accuracy.left", "accuracy.swap", "accuracy.other", "accuracy.right"})
+        EXPECT_EQ(state()["widgets"][button], before[button]) << button << " stays under the mouse";
+    save("paint.frag", with("float red = .3;", "float red = no_such_function();"));
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("accuracy.no map"); }));
+    settle();
+    EXPECT_EQ(state()["errors"], 0) << "the chosen rung has none";
+    EXPECT_FALSE(shows("accuracy.legend"));
+    keep("no-heat-map");
 }
 
 TEST_F(LadderWindow, TheReferenceBesideThePictureAndWhereTheyDiffer) {

@@ -292,7 +292,7 @@ TEST_F(FoundWindow, RungsAreSoughtAtTheChosenOnes) {
          "  for (int i = 0; i < 24; ++i) a += .04 * sin(float(i) + vAt.x);\n#else\n"
          "  for (int i = 0; i < 16; ++i) a += .04 * cos(float(i) + vAt.x);\n#endif\n  gl_FragColor = vec4(a);\n}\n");
     end_window();
-    open("ways.glib", {"--size", "640x740", "--ladder", "WAY=long"});
+    open("ways.glib", {"--size", "900x740", "--ladder", "WAY=long"});
     user("key a");
     settle();
     const std::string name = fewer_rounds();

@@ -266,6 +266,19 @@ TEST_F(AccuracyPanel, StatesAreChosenTypedAndSwapped) {
     EXPECT_EQ(memory_.accuracy.show, AccuracyMemory::Show::picture);
 }
 
+TEST_F(AccuracyPanel, SaysHowTheTwoTimesAreMeant) {
+    open();
+    EXPECT_TRUE(has("accuracy.basis"));
+    values_.clock = "process CPU time";
+    facts_.samples = 4;
+    EXPECT_EQ(
+        basis_text(facts_),
+        "ms/sample compares rungs: process CPU time of all cores with one sample per pixel. The last picture's time "
+        "is the wait for it, with 4 samples per pixel.");
+    facts_.states = &states_;
+    EXPECT_TRUE(basis_text(facts_).ends_with("4 samples per pixel in both states.")) << basis_text(facts_);
+}
+
 TEST_F(AccuracyPanel, ColumnsAreHeaded) {
     open();
     for (const char* heading : {"rung", "ms/sample", "error"})
@@ -384,6 +397,35 @@ TEST_F(LadderRows, AClickedRungIsChosen) {
 TEST_F(LadderRows, ARightClickGivesTheScenesRungBack) {
     controls_.rungs = {0};
     click(place("FRESNEL"), MouseButton::right);
+    EXPECT_EQ(controls_.rungs, Rungs{1});
+}
+
+TEST_F(LadderRows, AChangedRungHasTheDotAndTheMenuOfAChangedValue) {
+    EXPECT_FALSE(has("FRESNEL.dot"));
+    const Rect before = place("FRESNEL");
+    controls_.rungs = {2};
+    const Rect dot = place("FRESNEL.dot");
+    EXPECT_EQ(place("FRESNEL"), before) << "nothing moves";
+    click(dot);
+    EXPECT_EQ(controls_.rungs, Rungs{1});
+    EXPECT_FALSE(has("FRESNEL.dot"));
+    controls_.rungs = {0};
+    click(place("FRESNEL.name"), MouseButton::right);
+    click(place("FRESNEL.reset"));
+    EXPECT_EQ(controls_.rungs, Rungs{1});
+    // By keys, too.
+    controls_.rungs = {2};
+    frame({key(Key::tab, true)});
+    frame({key(Key::tab, false)});
+    for (int i = 0; i < 40 && kit().focus.at != 0 && !has("FRESNEL.reset"); ++i) {
+        frame({key(Key::menu, true)});
+        frame({key(Key::menu, false)});
+        if (has("FRESNEL.reset")) break;
+        frame({key(Key::tab, true)});
+        frame({key(Key::tab, false)});
+    }
+    ASSERT_TRUE(has("FRESNEL.reset"));
+    click(place("FRESNEL.reset"));
     EXPECT_EQ(controls_.rungs, Rungs{1});
 }
 

@@ -183,6 +183,7 @@ TEST_F(FoundPanel, AClickOnThePlaceOpensTheEditorAndNothingElse) {
     EXPECT_EQ(asked.edit.line, 12);
     EXPECT_FALSE(asked.show_rung);
     found_.rows[0].place = {};
+    frame({move(5, 5)});
     EXPECT_EQ(clicked("found.place.1").show_rung, "1") << "a built-in text has no place";
 }
 
@@ -204,7 +205,8 @@ TEST_F(FoundPanel, EscapeEndsTheShowingBeforeAnythingElse) {
 
 TEST_F(FoundPanel, WhatIsShownCanBeWritten) {
     add("1");
-    EXPECT_FALSE(has("found.write"));
+    EXPECT_FALSE(clicked("found.write").write_rung) << "none is";
+    EXPECT_TRUE(has("found.hint"));
     found_.shown = "1";
     EXPECT_TRUE(clicked("found.write").write_rung);
     EXPECT_TRUE(clicked("found.copy").copy_rung);
@@ -239,6 +241,60 @@ TEST_F(FoundPanel, OnlyRowsInSightAreDrawn) {
     EXPECT_LT(drawn, 30);
     const Rect first = place("found.row.1"), second = place("found.row.2"), third = place("found.row.3");
     EXPECT_NEAR(second.y - first.y, third.y - second.y, .01);
+}
+
+// Whatever a click, the search or a measurement changes above them.
+TEST_F(FoundPanel, RowsStayUnderThePointer) {
+    for (const char* name : {"1", "2", "3"}) add(name).error = .01;
+    const Rect before = place("found.row.2");
+    EXPECT_EQ(clicked("found.row.2", .9).show_rung, "2");
+    AccuracyFacts accuracy;
+    accuracy.samples = accuracy.wanted = 16;
+    facts_.accuracy = &accuracy;
+    found_.shown = "2";
+    found_.remark = "The time was up before every change was tried.";
+    std::ranges::reverse(found_.rows);
+    found_.rows.erase(found_.rows.begin());
+    EXPECT_EQ(place("found.row.2").y, before.y);
+    EXPECT_TRUE(has("found.row.3")) << "as it was";
+    EXPECT_EQ(clicked("found.row.2", .9).show_rung, "") << "another click hits the same row";
+    facts_.accuracy = nullptr;
+    found_.shown.clear();
+    found_.remark.clear();
+    EXPECT_EQ(place("found.row.2").y, before.y);
+    frame({move(5, 5)});
+    EXPECT_LT(place("found.row.2").y, place("found.row.1").y) << "measured anew";
+    EXPECT_FALSE(has("found.row.3"));
+}
+
+TEST_F(FoundPanel, AChangeKeepsWhatDiffers) {
+    frame();  // there are letters
+    const std::string before = "vec3(uTint) + 4. * noise(vAt, 16) - bias",
+                      after = "vec3(uTint) + 4. * noise(vAt, 8) - bias";
+    const std::string whole = before + " \u2192 " + after;
+    EXPECT_EQ(change_text(before, after, width_of(whole) + 1), whole);
+    const std::string differs = "\u202616\u2026 \u2192 \u20268\u2026";
+    EXPECT_EQ(change_text(before, after, width_of(whole) * .5F), differs);
+    const std::string inserted = "CullFace back Sphere 1 60 60";
+    EXPECT_EQ(change_text("Sphere 1 60 60", inserted, width_of(inserted)), "\u2026 \u2192 CullFace back \u2026");
+    const std::string narrow = change_text("normalize(uMatrix * gl_Normal)", "uMatrix * gl_Normal", 10 * 16);
+    EXPECT_LE(width_of(narrow), 10 * 16 + 1);
+    EXPECT_NE(narrow.find(" \u2192 "), narrow.npos);
+    EXPECT_TRUE(narrow.starts_with("nor") && narrow.ends_with("al")) << narrow;
+}
+
+TEST_F(FoundPanel, NarrowPanelsCutNoNumber) {
+    memory_.panel_width = 13;
+    FoundRow& row = add("1");
+    row.error = .00123;
+    row.flip = .000456;
+    row.ratio = .72;
+    row.low = .7;
+    row.high = .75;
+    add("2");
+    const Rect first = place("found.row.1"), error = place("found.error.1");
+    EXPECT_EQ(error.width, std::round(width_of("worst error .0012"))) << "FLIP has a line of its own";
+    EXPECT_LE(error.x + error.width, first.x + first.width);
 }
 
 TEST_F(FoundPanel, TheSplitNamesTheRungAndTheScene) {

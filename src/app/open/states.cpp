@@ -72,6 +72,16 @@ std::string short_value(const std::string& text, int least) {
     return words;
 }
 
+// "uIndex" of a setting of "Glass.uIndex", if no other program has one of that name; "BEND" of a ladder.
+std::string name_of(const std::string& key, const Setup& setup) {
+    if (key.starts_with(ladder_option)) return key.substr(ladder_option.size());
+    const std::string uniform = key.substr(key.rfind('.'));
+    const bool only = ranges::count_if(setup, [&](const Setup::value_type& other) {
+                          return other.first.starts_with(set_option) && other.first.ends_with(uniform);
+                      }) == 1;
+    return only ? uniform.substr(1) : key.substr(set_option.size());
+}
+
 }  // namespace
 
 NamedState named_state(std::string_view name, const std::string& path, const Scene& scene) {
@@ -117,7 +127,7 @@ StateDifference difference(const Setup& left, const Setup& right) {
     for (const auto& here : left) {
         if (!differs(here) || ++count > most_differences) continue;
         const auto& [key, value] = here;
-        const std::string name = key.substr((key.starts_with(ladder_option) ? key.find(' ') : key.rfind('.')) + 1);
+        const std::string name = name_of(key, left);
         const char* comma = count > 1 ? ", " : "";
         std::string here_text, there_text;
         for (int digits = 4; digits <= 16 && here_text == there_text; digits *= 2) {

@@ -46,22 +46,24 @@ bool Measuring::look_for_nan(Document& scene, const Display& display) {
     return watch_.look(both, display.drawn().stand, display.counters().frame_ms);
 }
 
-bool Measuring::follow(Document& scene, bool stale, const Display& display, bool still, const ui::Memory& memory,
-                       double now) {
+bool Measuring::follow(Document& scene, const Session& session, const Display& display, bool still,
+                       const ui::Memory& memory, double now) {
     const Stand& stand = display.drawn().stand;
     Drawn lasting{.revision = display.drawn().revision, .stand = circumstances(stand)};
     if (still) lasting.stand.time = stand.time;
     lasting.rungs = display.drawn().rungs;
     lasting.showing = display.drawn().showing;
     const bool forgot = watch_.follow(lasting, now);
-    stale = stale || scene.diagnostics.has_errors();  // of a scene that never was without, the picture is incomplete
+    // Of a scene that never was without errors, the picture is incomplete.
+    const bool stale = session.stale() || scene.diagnostics.has_errors();
+    const std::string& failed = session.failed_rungs();
     const Stand& measure = measured(display);
-    const bool found = found_.follow(scene, stale, stand, still, memory.accuracy);
+    const bool found = found_.follow(scene, stale || !failed.empty(), stand, still, memory.accuracy);
     AccuracyView::Pair pair;
     const bool both = states_.active() && states_.shows(false) && states_.shows(true);
     if (found_.rung() || (both && !states_.with_reference()))
         pair = {&shown(scene), found_.rung() ? &scene : &states_.right(scene), showing()};
-    accuracy_.follow(scene, stale, measure, memory.accuracy, pair);
+    accuracy_.follow(scene, stale, failed, measure, memory.accuracy, pair);
     Document& document = shown(scene);
     const bool sharp = display.drawn().grain == 0;
     const bool opened =
@@ -120,7 +122,7 @@ std::optional<int> Measuring::divider(int width, const ui::AccuracyMemory& memor
 
 void Measuring::tell(ui::Facts& facts, Document* document, const Session& session, const ui::Memory& memory) {
     std::string stale;
-    if (session.stale()) {
+    if (session.stale() || !session.failed_rungs().empty()) {
         const auto error = ranges::find(session.problems(), Severity::error,
                                         [](const ui::Problem& problem) { return problem.finding.severity; });
         stale = error != session.problems().end() ? error->finding.message : "the files have changed";

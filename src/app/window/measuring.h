@@ -58,8 +58,8 @@ public:
 
     // Call it after each frame, whether the picture was drawn or is unchanged. `still`: nothing moves, by hand or by
     // itself. Returns true if the panels must be shown again.
-    bool follow(Document& document, bool stale, const Display& display, bool still, const ui::Memory& memory,
-                double now);
+    bool follow(Document& document, const Session& session, const Display& display, bool still,
+                const ui::Memory& memory, double now);
     // True if look_for_nan() has something to do.
     bool watches(const Document& scene, const Display& display, const ui::Memory& memory, double now) const {
         return watch_.due(now) && display.drawn().grain == 0 && !memory.pixels.flags && !scene.diagnostics.has_errors();

@@ -1,5 +1,7 @@
 #include "src/app/window/session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -200,6 +202,7 @@ void Session::take(std::unique_ptr<Document> read) {
     file_problems_ = problems_.size();
     watch(*read);
     const bool shows = shown_ != nullptr;
+    if (shows) read_rungs_ = shown_->controls.rungs;
     stale_ = shows && (!read->runtime || !no_new_errors(shown_->diagnostics, read->diagnostics));
     if (stale_ || !read->runtime) return;
     carry_values(*read);
@@ -210,6 +213,8 @@ void Session::take(std::unique_ptr<Document> read) {
         earlier_.before_edit = std::move(before);
     keep_shown();
     shown_ = std::move(read);
+    read_rungs_ = good_rungs_ = shown_->controls.rungs;
+    failed_rungs_.clear();
     plan_ = std::move(read_plan_);
     drawn_well_ = linted_ = false;
     if (shown_->scene().verbose) std::fputs(verbose_report(*shown_).c_str(), stderr);
@@ -263,6 +268,7 @@ void Session::recover(const Recovery& recovery) {
     options.progress = progress_;
     shown_ = compile_document(path_, kept.plan, kept.sources, kept.controls, caps_, access_, options);
     plan_ = kept.plan;
+    read_rungs_ = good_rungs_ = shown_->controls.rungs;
     stale_ = true;
 }
 
@@ -278,7 +284,20 @@ bool Session::follow_rungs() {
     for (const Diagnostic& diagnostic : found.items()) tell(diagnostic, shown_->sources);
     errors_ = file_errors_ + found.errors();
     linted_ = false;
+    failed_rungs_.clear();
+    const Rungs& rungs = shown_->controls.rungs;
+    if (!found.has_errors()) good_rungs_ = rungs;
+    for (std::size_t i = 0; i < rungs.size(); ++i) {
+        const Ladder& ladder = shown_->scene().ladders[i];
+        if (rungs[i] != good_rungs_[i])
+            failed_rungs_ +=
+                fmt::format("{}{}={}", failed_rungs_.empty() ? "" : " ", ladder.name, ladder.rungs[rungs[i]]);
+    }
     return true;
+}
+
+bool Session::outdated() const {
+    return shown_ && (stale_ || shown_->diagnostics.has_errors()) && shown_->controls.rungs != read_rungs_;
 }
 
 void Session::watch(const Document& read) {

@@ -71,6 +71,11 @@ public:
     const std::vector<ui::Problem>& problems() const { return problems_; }
     std::size_t errors() const { return errors_; }
     bool stale() const { return stale_; }
+    // Those of the chosen rungs with which something does not compile, such as "BEND=bounces", so that the picture is
+    // of the rungs before; empty if all do.
+    const std::string& failed_rungs() const { return failed_rungs_; }
+    // True if errors of the last reading may be those of rungs that are not chosen any more.
+    bool outdated() const;
     std::uint64_t revision() const { return revision_; }  // number of readings and of choices of rungs so far
     const Earlier& earlier() const { return earlier_; }
     std::string problems_text() const;
@@ -110,6 +115,8 @@ private:
     Setup held_since_;                         // all values as they were then
     Follow followed_ = Follow::text;
     Rungs first_rungs_;
+    Rungs read_rungs_, good_rungs_;  // chosen at the last reading; chosen last without errors
+    std::string failed_rungs_;
     Earlier earlier_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems
     std::vector<ui::Problem> problems_;  // those of the files, then those of rungs that were chosen since

@@ -523,6 +523,7 @@ void App::serve(const ui::Requests& requests) {
     if (requests.save && workspace_.session().awaits_own()) reload();  // its last save, which this one is based on
     show_scene(workspace_.serve(requests, shown, *window_, interface_.view(), memory));
     if (workspace_.follow_rungs()) settle(until_equal);
+    if (workspace_.session().outdated()) reload();
     if (const std::string command = measuring_.serve(requests, workspace_.document(), memory); !command.empty()) {
         window_->set_clipboard(command);
         memory.notice = "copied: " + command;
@@ -542,7 +543,7 @@ void App::show(bool repaint) {
     if (lost()) return;
     document = workspace_.document();
     if (first) interface_frame({});
-    const bool told = document && measuring_.follow(*document, workspace_.session().stale(), display_,
+    const bool told = document && measuring_.follow(*document, workspace_.session(), display_,
                                                     !running() && !interface_.pressed(), memory, window_->now());
     if (drew || told) settle(told ? until_equal : 1);  // the panels show the new cost and values
     // The divider is in the interface's picture.

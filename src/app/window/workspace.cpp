@@ -149,6 +149,7 @@ void Workspace::tell(ui::Facts& facts, const ui::Memory& memory) {
     facts.file = name_;
     facts.problems = session_.problems();
     facts.stale = session_.stale();
+    facts.failed_rungs = session_.failed_rungs();
     facts.revision = session_.revision();
     if (const Document* shown = document()) {
         facts.scene = &shown->scene();

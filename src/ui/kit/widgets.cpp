@@ -168,10 +168,10 @@ std::size_t last_bytes(std::string_view text, std::size_t count) {
 
 }  // namespace
 
-Text shortened(std::string_view text, float width) {
+Text shortened(std::string_view text, float width, bool code) {
     if (width_of(text) <= width) return Text(text);
     static constexpr std::string_view dots = "\u2026";
-    const bool sentence = text.find(' ') != text.npos;
+    const bool sentence = !code && text.find(' ') != text.npos;
     const auto at_end = [&](std::size_t kept) { return sentence ? 0 : kept / 2; };
     const auto head = [&](std::size_t kept) { return text.substr(0, first_bytes(text, kept - at_end(kept))); };
     const auto tail = [&](std::size_t kept) { return text.substr(text.size() - last_bytes(text, at_end(kept))); };

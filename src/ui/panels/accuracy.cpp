@@ -11,6 +11,7 @@
 #include <imgui_internal.h>
 
 #include "parser/text/ranges.h"
+#include "parser/text/words.h"
 #include "src/content/image/image.h"
 #include "src/plan/values/numbers.h"
 #include "src/ui/kit/field.h"
@@ -49,21 +50,24 @@ void remark(const Text& text) {
     ImGui::TextDisabled("%s", text.c_str());
 }
 
-void figures(const Facts& all, Layout& layout) {
-    const AccuracyFacts& facts = *all.accuracy;
+// Says why nothing is compared.
+void note(const AccuracyFacts& facts, Layout& layout, const char* name) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+    wrapped(facts.note);
+    ImGui::PopStyleColor();
+    layout.note(name);
+}
+
+void figures(const Facts& all, const AccuracyFacts& facts, Layout& layout) {
     last_picture(all, layout);
-    if (!facts.note.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", facts.note.c_str());
-        ImGui::PopTextWrapPos();
-        return;
-    }
+    if (!facts.note.empty()) return note(facts, layout, "accuracy.note");
     const FoundRow* const rung = all.found ? shown_row(*all.found) : nullptr;
-    const Text line = facts.samples > 0 ? error_line(facts.error, rung) : Text("\u2026");
+    const Text line =
+        facts.samples > 0 ? error_line(facts.error, rung) : Text(all.accuracy ? "\u2026" : "no rung is shown");
     fitted(line.view(), ImGui::GetContentRegionAvail().x);
     if (facts.samples > 0 && ImGui::IsItemHovered()) tip(error_tip(facts) + (rung && rung->error ? worst_meaning : ""));
     layout.note("accuracy.error");
-    remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
+    if (all.accuracy) remark(Text("{} of {} samples per pixel", facts.samples, facts.wanted));
     if (facts.nonfinite > 0) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
         fitted(
@@ -102,6 +106,12 @@ void legend(const AccuracyFacts& facts, float width, Layout& layout) {
     ImGui::SetCursorScreenPos({patch.x + 2.5F * height, patch.y});
     fitted("NaN or infinite", width - 2.5F * height, true);
     layout.note("accuracy.no number");
+}
+
+// False: the picture is plain, or a half is empty, although the heat map was chosen.
+bool has_heat(const Facts& facts) {
+    const bool blank = facts.states && ranges::any_of(facts.states->sides, &StateFacts::Side::blank);
+    return !blank && (!facts.accuracy || facts.accuracy->note.empty());
 }
 
 void show_buttons(AccuracyMemory& memory, Layout& layout) {
@@ -187,18 +197,17 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
 }
 
 // Draws error over cost of the rungs of a ladder. Returns true if the user starts measuring all of them, or stops it.
-bool ladder_part(const Scene& scene, const AccuracyFacts& facts, Controls& controls, AccuracyMemory& memory,
-                 Layout& layout) {
+bool ladder_part(const Facts& all, Controls& controls, AccuracyMemory& memory, Layout& layout) {
+    const Scene& scene = *all.scene;
+    const AccuracyFacts& facts = *all.accuracy;
     memory.ladder = std::min(memory.ladder, scene.ladders.size() - 1);
     ImGui::Spacing();
     const bool measure = plot_tools(scene.ladders, facts, memory, layout);
     accuracy_plot(facts.points, memory.plot, layout);
     rung_table(scene.ladders[memory.ladder], facts, controls.rungs[memory.ladder], layout);
-    if (!facts.remark.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextDisabled("%s", facts.remark.c_str());
-        ImGui::PopTextWrapPos();
-    }
+    wrapped(basis_text(all), true);
+    layout.note("accuracy.basis");
+    if (!facts.remark.empty()) wrapped(facts.remark, true);
     return measure;
 }
 
@@ -254,6 +263,15 @@ void state_button(const StateFacts& facts, std::size_t index, float width, Accur
 }
 
 }  // namespace
+
+std::string basis_text(const Facts& facts) {
+    const std::string_view clock = facts.accuracy->clock;
+    return fmt::format(
+        "ms/sample compares rungs: {}{} with one sample per pixel. The last picture's time is the wait for it, with {} "
+        "per pixel{}.",
+        clock, clock == "process CPU time" ? " of all cores" : "",
+        counted(static_cast<std::size_t>(facts.samples), "sample"), facts.states ? " in both states" : "");
+}
 
 std::string milliseconds_text(double milliseconds) {
     return fmt::format("{:.{}f} ms", milliseconds, milliseconds < 9.995 ? 2 : milliseconds < 99.95 ? 1 : 0);
@@ -321,10 +339,11 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
         wrapped(facts.accuracy->reduced, true);
         layout.note("accuracy.reduced");
     }
-    if (facts.accuracy) {
-        figures(facts, layout);
+    // Found rungs are compared with the scene: the room is there before one is shown, so that their rows do not move.
+    if (facts.accuracy || (facts.found && !facts.found->rows.empty())) {
+        figures(facts, facts.accuracy ? *facts.accuracy : AccuracyFacts(), layout);
         show_buttons(memory, layout);
-        if (memory.show == AccuracyMemory::Show::heat && facts.accuracy->note.empty())
+        if (facts.accuracy && memory.show == AccuracyMemory::Show::heat && has_heat(facts))
             legend(*facts.accuracy, ImGui::GetContentRegionAvail().x, layout);
     }
     if (moves) {
@@ -332,8 +351,8 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
         layout.note("accuracy.hold time");
     }
     if (facts.accuracy && !facts.scene->ladders.empty() && controls.rungs.size() == facts.scene->ladders.size())
-        requests.measure = ladder_part(*facts.scene, *facts.accuracy, controls, memory, layout);
-    found_rungs(facts, requests, layout);
+        requests.measure = ladder_part(facts, controls, memory, layout);
+    found_rungs(facts, memory.found, requests, layout);
     ImGui::Unindent(indent);
     ImGui::Spacing();
 }
@@ -342,6 +361,40 @@ void switch_split(AccuracyMemory& memory) {
     using Show = AccuracyMemory::Show;
     memory.show = memory.show == Show::picture ? Show::split : Show::picture;
 }
+
+namespace {
+
+constexpr ImGuiWindowFlags state_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+
+// What must be known of the two states, `width` wide: a window of its own above the buttons, so that these stay where
+// they are under the mouse. Returns where it begins.
+float state_remarks(const Facts& facts, bool heat, ImVec2 below, float width, bool narrow, Layout& layout) {
+    const bool compared = has_heat(facts), unsaid = !compared && facts.accuracy && !facts.accuracy->note.empty();
+    const bool legends = heat && compared && !narrow, notes = heat && unsaid;
+    if (!facts.states->fixed && !legends && !notes) return below.y;
+    ImGui::SetNextWindowPos(below, 0, {0, 1});
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
+    ImGui::SetNextWindowBgAlpha(narrow ? 1.0F : .85F);
+    if (ImGui::Begin("##states above", nullptr, state_window)) {
+        if (facts.states->fixed) {
+            wrapped("Both sides are fixed: sliders change neither. Choose \"now\" for one of them.", true);
+            layout.note("accuracy.fixed");
+        }
+        if (notes) note(*facts.accuracy, layout, "accuracy.no map");
+        if (legends) {
+            ImGui::TextDisabled("Difference of light, where white is 1");
+            legend(facts.accuracy ? *facts.accuracy : AccuracyFacts(), ImGui::GetContentRegionAvail().x, layout);
+            layout.note("accuracy.legend");
+        }
+    }
+    const float top = ImGui::GetWindowPos().y;
+    ImGui::End();
+    return top;
+}
+
+}  // namespace
 
 float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory, Layout& layout) {
     using Show = AccuracyMemory::Show;
@@ -364,10 +417,7 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.PopupRounding);
     ImGui::SetNextWindowBgAlpha(two_lines ? 1.0F : .85F);
-    constexpr ImGuiWindowFlags bar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
-                                     ImGuiWindowFlags_NoFocusOnAppearing;
-    if (ImGui::Begin("##states", nullptr, bar)) {
+    if (ImGui::Begin("##states", nullptr, state_window)) {
         state_button(states, 0, left, memory, layout);
         ImGui::SameLine();
         if (two_lines) state_button(states, 1, left, memory, layout);
@@ -387,19 +437,10 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
             ImGui::SameLine();
             state_button(states, 1, left, memory, layout);
         }
-        if (states.fixed) {
-            fitted("Both sides are fixed: sliders change neither. Choose \"now\" for one of them.",
-                   std::max((two_lines ? left : all) - 2 * pad, 1.0F), true);
-            layout.note("accuracy.fixed");
-        }
-        if (memory.show == Show::heat && !two_lines) {
-            ImGui::TextDisabled("Difference of light, where white is 1");
-            legend(facts.accuracy ? *facts.accuracy : AccuracyFacts(), std::max(all - 2 * pad, 1.0F), layout);
-            layout.note("accuracy.legend");
-        }
     }
-    const float top = ImGui::GetWindowPos().y;
+    const ImVec2 corner = ImGui::GetWindowPos();
     ImGui::End();
+    const float top = state_remarks(facts, memory.show == Show::heat, corner, all, two_lines, layout);
     ImGui::PopStyleVar(2);
     return top;
 }

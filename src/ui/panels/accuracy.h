@@ -16,11 +16,11 @@
 #include "src/plan/values/controls.h"
 #include "src/ui/kit/kit.h"
 #include "src/ui/kit/text.h"
+#include "src/ui/panels/found.h"
 
 namespace snell::ui {
 
 struct Facts;
-struct FoundRow;
 struct Requests;
 
 // Error and cost of one choice of rungs that was drawn.
@@ -95,6 +95,7 @@ struct AccuracyMemory {
     Rungs rungs;                       // of the last frame
     bool hold_time = true;             // whether time is paused while the panel is in sight
     AccuracyPlot plot;
+    FoundMemory found;
 };
 
 // The range of errors that the heat map distinguishes, from black to white, as powers of ten.
@@ -109,6 +110,8 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
                       Layout& layout);
 
 std::string milliseconds_text(double milliseconds);
+// How the times of rungs and that of the window's picture are meant, which are not to be compared.
+std::string basis_text(const Facts& facts);
 std::string error_text(double error);  // ".0031"; "none" if it is only rounding, "unknown" if it is NaN
 // Of the picture that is shown; if it is that of a found rung, with the rung's own, where they differ.
 Text error_line(double error, const FoundRow* rung);

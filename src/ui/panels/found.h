@@ -57,14 +57,24 @@ struct FoundFacts {
     std::string shown;               // name of the rung whose picture is in the window; empty: the scene's
 };
 
+// The rows under the pointer.
+struct FoundMemory {
+    bool over = false;           // the pointer was over them in the last frame
+    std::vector<FoundRow> rows;  // as they were when it came there
+    float top = 0;               // where they begin in the panel, wherever it is scrolled
+    bool grown = false;          // what is above them, since then
+};
+
 // Draws the button that starts and stops the search, and what was found.
-void found_rungs(const Facts& facts, Requests& requests, Layout& layout);
+void found_rungs(const Facts& facts, FoundMemory& memory, Requests& requests, Layout& layout);
 // Escape shows the scene again if a found rung is shown. Returns true if it did.
 bool found_keys(const Facts& facts, Requests& requests);
 // The row of the rung that is shown; null if there is none.
 const FoundRow* shown_row(const FoundFacts& facts);
 // Names the rung that is shown, such as "found rung 3".
 std::string found_text(const FoundFacts& facts);
+// A change of code as it fits into a width: what both texts begin and end with is left out before what differs is cut.
+std::string change_text(std::string_view before, std::string_view after, float width);
 // Formats a ratio of times, such as "×.72" or "×1.3".
 std::string ratio_text(double ratio);
 

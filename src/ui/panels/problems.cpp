@@ -156,6 +156,8 @@ float problems_window(const Facts& facts, Severity severity, const Rect& scene, 
                      (overlay & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysAutoResize)) {
         ImGui::AlignTextToFramePadding();
         std::string title = counted(count(facts.problems, severity), name(severity));
+        if (errors && !facts.stale && !facts.failed_rungs.empty())
+            title = fmt::format("{}: {} \u2014 the last good picture is shown", facts.failed_rungs, title);
         if (errors && facts.stale)
             title += facts.incomplete ? " \u2014 the picture shows an earlier version, which had errors, too"
                                       : " \u2014 the picture shows the last version without errors";

@@ -584,14 +584,26 @@ void filter_row(const Controls& controls, Memory& memory, Layout& layout) {
         ImGui::TextDisabled("No name contains this text.");
 }
 
-// Draws a drop-down; a right click resets it to the scene's rung.
+// Draws a drop-down, with the dot and the menu of a slider; a right click resets it to the scene's rung.
 void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
     if (rung >= ladder.rungs.size()) return;
     ImGui::PushID(ladder.name.c_str());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const std::string& initial = ladder.rungs[ladder.current];
+    const bool changed = rung != ladder.current;
+    if (dot(changed, false, Text(initial))) rung = ladder.current;
+    if (changed) layout.note(ladder.name, "dot");
     ImGui::AlignTextToFramePadding();
     const float width = ImGui::GetContentRegionAvail().x, arrow = ImGui::GetFrameHeight() + button_width("");
     fitted(ladder.name, width * .6F);
+    layout.note(ladder.name, "name");
     ImGui::SameLine();
+    const ImRect left(corner, {ImGui::GetCursorScreenPos().x, corner.y + ImGui::GetFrameHeight()});
+    if (begin_value_menu(left, ImGui::GetID("##rung"), left)) {
+        if (menu_item(Text("Reset to {}", initial).c_str())) rung = ladder.current;
+        layout.note(ladder.name, "reset");
+        ImGui::EndPopup();
+    }
     ImGui::SetNextItemWidth(-FLT_MIN);
     const Text chosen = shortened(ladder.rungs[rung], ImGui::GetContentRegionAvail().x - arrow);
     const bool open = begin_combo("##rung", chosen.c_str(), rung, ladder.rungs.size());

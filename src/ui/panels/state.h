@@ -87,6 +87,7 @@ struct Facts {
     std::span<const Problem> problems;     // of the files as they are now
     bool stale = false;                    // the picture shows an earlier version of the files
     bool incomplete = false;               // that version has errors, too
+    std::string_view failed_rungs;         // chosen, but the picture is of the rungs before, see Session
     bool first_picture = false;            // it is drawn next: no picture of the scene is there yet
     double longest_picture = 0;            // seconds after which one is given up; 0: never
     std::uint64_t revision = 0;            // increases each time the files are read

@@ -293,9 +293,13 @@ void Refinement::open_reference() {
         note_ = "With the last rung of every ladder: " + error->message;
 }
 
-void Refinement::follow(Document& shown, bool stale, const Stand& stand, Document* scene) {
+std::string Refinement::note() const {
+    return failed_.empty() ? note_ : failed_ + " has errors.";  // short, so that the table below it stays in place
+}
+
+void Refinement::follow(Document& shown, bool stale, const std::string& failed, const Stand& stand, Document* scene) {
     const bool another = shown_ != &shown || scene_ != scene || stale != stale_;
-    if (!another && stand == stand_ && shown.controls.rungs == controls_.rungs) return;
+    if (!another && stand == stand_ && shown.controls.rungs == controls_.rungs && failed == failed_) return;
     const bool resized = stand.width != stand_.width || stand.height != stand_.height;
     const bool elsewhere = another || stand != stand_;
     if (another || resized || shown.controls.rungs != controls_.rungs) {
@@ -305,6 +309,7 @@ void Refinement::follow(Document& shown, bool stale, const Stand& stand, Documen
     shown_ = &shown;
     scene_ = scene;
     stale_ = stale;
+    failed_ = failed;
     stand_ = stand;
     controls_ = shown.controls;
     if (another) open_reference();
@@ -324,14 +329,14 @@ void Refinement::follow(Document& shown, bool stale, const Stand& stand, Documen
 bool Refinement::busy() const {
     if (!means_ || !means_->chosen.valid()) return false;
     return means_->chosen.samples() < levels.back() ||
-           (note_.empty() && (reference_samples_ < levels.back() || costs_.measuring()));
+           (comparable() && (reference_samples_ < levels.back() || costs_.measuring()));
 }
 
 bool Refinement::step() {
     if (!busy()) return false;
     const bool behind = means_->reference.samples() <= means_->chosen.samples();
     const bool more = means_->reference.samples() < levels.back();
-    const bool other = note_.empty() && more && behind;
+    const bool other = comparable() && more && behind;
     const runtime::Stopwatch watch;
     const bool new_facts = other                                      ? reference_step()
                            : means_->chosen.samples() < levels.back() ? chosen_step()
@@ -367,11 +372,11 @@ bool Refinement::chosen_step() {
     }
     const std::size_t reached = level(means_->chosen.samples());
     if (reached == levels.size()) return false;
-    if (!note_.empty()) return true;
+    if (!comparable()) return true;
     chosen_ = means_->chosen.picture(*shown_->runtime);
     samples_ = levels[reached];
     error_ = accuracy::compare(chosen_, references_[reached]);
-    if (!shown_->runtime->ladder_problems().has_errors()) costs_.visit(controls_.rungs, error_.light.rmse, times_);
+    costs_.visit(controls_.rungs, error_.light.rmse, times_);
     return true;
 }
 
@@ -383,7 +388,7 @@ bool Refinement::cost_step() {
 }
 
 void Refinement::measure(std::size_t ladder) {
-    if (costs_.measuring() || !note_.empty() || !shown_)
+    if (costs_.measuring() || !comparable() || !shown_)
         costs_.stop();
     else
         costs_.begin(ladder, shown_->scene(), controls_.rungs);
@@ -437,7 +442,7 @@ std::optional<double> Refinement::difference(int x, int y) const {
 
 ui::AccuracyFacts Refinement::facts(std::size_t ladder) const {
     ui::AccuracyFacts facts;
-    facts.note = note_;
+    facts.note = note();
     facts.reduced = reduced_text(stand_);
     facts.of_scene = scene_ != nullptr;
     facts.samples = samples_;
@@ -478,8 +483,8 @@ std::vector<std::byte> heat_of(const std::vector<float>& differences) {
 
 }  // namespace
 
-void AccuracyView::follow(Document& scene, bool stale, const Stand& stand, const ui::AccuracyMemory& memory,
-                          const Pair& pair) {
+void AccuracyView::follow(Document& scene, bool stale, const std::string& failed, const Stand& stand,
+                          const ui::AccuracyMemory& memory, const Pair& pair) {
     const bool wanted = (memory.open || memory.show == Show::heat) && stand.width > 0;
     const bool ladders = wanted && !scene.scene().ladders.empty();
     if (!ladders) refinement_.reset();
@@ -493,9 +498,10 @@ void AccuracyView::follow(Document& scene, bool stale, const Stand& stand, const
     if (ladders && !refinement_) refinement_ = std::make_unique<Refinement>(path_, caps_);
     if (pair.left && !beside_) beside_ = std::make_unique<Refinement>(path_, caps_);
     if (pair.left)
-        beside_->follow(*pair.left, false, stand, pair.right);
+        beside_->follow(*pair.left, false, pair.left == &scene || pair.right == &scene ? failed : "", stand,
+                        pair.right);
     else
-        refinement_->follow(scene, stale, stand);
+        refinement_->follow(scene, stale, failed, stand);
     if (memory.show != Show::heat) return;
     while (!now()->reference() && now()->busy() && now()->comparable()) now()->step();
 }

@@ -91,12 +91,13 @@ public:
 
     // Tells what the window shows; call it before step(). Anything that changes the picture restarts the refinement.
     // The reference is a separate document, which shares with the shown one everything that both need. `stale` says
-    // that the files have changed since. With `scene` that is the reference instead.
-    void follow(Document& shown, bool stale, const Stand& stand, Document* scene = nullptr);
+    // that the files have changed since; `failed` names rungs that the picture should have and has not, because of
+    // errors. With `scene` that is the reference instead.
+    void follow(Document& shown, bool stale, const std::string& failed, const Stand& stand, Document* scene = nullptr);
     // Call it before a document of follow() is destroyed; follow() comes before step() then.
     void leave() { shown_ = scene_ = nullptr; }
     // True if there is a reference, as far as the files are concerned.
-    bool comparable() const { return note_.empty(); }
+    bool comparable() const { return note().empty(); }
     // True if another step would improve the result.
     bool busy() const;
     // Returns true if there is something new to show.
@@ -131,6 +132,7 @@ private:
         Means(int width, int height, bool es) : chosen(width, height, es), reference(width, height, es) {}
     };
 
+    std::string note() const;  // why nothing is compared
     void open_reference();
     Document& reference_document() { return scene_ ? *scene_ : *reference_; }
     bool reference_step();
@@ -143,7 +145,8 @@ private:
     Document *shown_ = nullptr, *scene_ = nullptr;
     bool stale_ = false;
     std::unique_ptr<Document> reference_;
-    std::string note_;  // why there is no reference
+    std::string note_;    // why there is no reference
+    std::string failed_;  // see follow()
     Stand stand_;
     Controls controls_;  // of the shown document
     std::unique_ptr<Means> means_;
@@ -171,9 +174,10 @@ public:
         Document *left = nullptr, *right = nullptr;
         std::uint64_t showing = 0;  // another number for each pair
     };
-    // Call it after each frame, whether the picture was drawn or is unchanged; see Refinement::follow. Without a pair,
-    // the scene is compared with its reference.
-    void follow(Document& scene, bool stale, const Stand& stand, const ui::AccuracyMemory& memory, const Pair& pair);
+    // Call it after each frame, whether the picture was drawn or is unchanged; see Refinement::follow. `failed` are
+    // rungs of the scene. Without a pair, the scene is compared with its reference.
+    void follow(Document& scene, bool stale, const std::string& failed, const Stand& stand,
+                const ui::AccuracyMemory& memory, const Pair& pair);
     // Call it before a document of the pair, or of the scene, is destroyed.
     void leave_pair() { beside_.reset(); }
     void leave();

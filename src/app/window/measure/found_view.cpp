@@ -159,7 +159,7 @@ bool FoundView::follow(const Document& scene, bool stale, const Stand& stand, bo
         end("The search was stopped.");
         return false;
     }
-    const char* note = stale ? "The files have errors: no rungs can be sought." : "";
+    const char* note = stale ? "There are errors: no rungs can be sought." : "";
     const bool older = sought_ && (scene.controls.rungs != sought_->rungs || circumstances(stand) != sought_->at);
     const bool waiting = sought_ && sought_->search && !still;
     const bool changed = facts_.note != note || facts_.older != older || facts_.waiting != waiting;
