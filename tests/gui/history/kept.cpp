@@ -25,6 +25,24 @@ TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {
     EXPECT_EQ(state()["view"]["axes"], false);
 }
 
+// It is written while the window is open, which may end in any way.
+TEST_F(Past, AFoldedProgramIsFoldedWhenTheSceneIsOpenedAgain) {
+    open("one.glib");
+    ASSERT_TRUE(state()["widgets"].contains("Paint.uRed"));
+    click("Paint");
+    EXPECT_FALSE(state()["widgets"].contains("Paint.uRed"));
+    ASSERT_TRUE(
+        wait([&](const json&) { return shell("grep -q -- '^--fold Paint#0=folded$' state/snell/scenes/*.txt") == 0; }));
+    show("two.glib");
+    EXPECT_TRUE(state()["widgets"].contains("Paint.uRed")) << "of another scene";
+    end_window();
+    open("one.glib");
+    EXPECT_FALSE(state()["widgets"].contains("Paint.uRed"));
+    EXPECT_EQ(notice(), "") << "nothing else is as it was last";
+    click("Paint");
+    EXPECT_TRUE(state()["widgets"].contains("Paint.uRed"));
+}
+
 TEST_F(Past, AClosedSceneIsAsItWasWhenItIsOpenedAgain) {
     open("one.glib");
     slide(.75);
