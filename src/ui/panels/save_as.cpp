@@ -168,7 +168,12 @@ void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     layout.note("picture transparent");
 }
 
-void sequence_rows(PictureMemory& picture, Layout& layout) {
+void sequence_rows(PictureMemory& picture, double time, Layout& layout) {
+    if (!picture.sequence) {
+        row("Time", "Time stands while this dialog is open");
+        wrapped(fmt::format("{:.2f} s, as the window shows it", time));
+        layout.note("picture time");
+    }
     row("Sequence", "numbered pictures of a time span");
     switch_box("##sequence", picture.sequence);
     layout.note("picture sequence");
@@ -244,7 +249,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())
-        sequence_rows(picture, layout);
+        sequence_rows(picture, memory.clock.time, layout);
     else
         picture.sequence = false;
     ImGui::EndDisabled();
