@@ -105,7 +105,8 @@ void open_save_as(SaveAs& dialog, const std::string& name, std::string folder) {
 
 void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
     static const SaveAsWords scene{"Save scene as", "Save the scene with these values as",
-                                   "In the scene's folder, where the scene finds its files", "save as"};
+                                   "In the scene's folder; into another one, the files that the scene reads are copied",
+                                   "save as"};
     static const SaveAsWords page{"Save page", "Save a page for browsers, with these values, as",
                                   "One file that holds all files of the scene.\nRelative to the scene's folder",
                                   "save page"};
