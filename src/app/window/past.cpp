@@ -171,7 +171,8 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
 Remembered Past::state(Session& session, const View& view, bool axes) const {
     Remembered kept = session.remembered();
     for (auto& [key, value] : setup_of(view)) kept.chosen[key] = value;
-    for (const auto& [section, open] : folds_) kept.chosen[std::string(fold_option) + section] = open ? "open" : "folded";
+    for (const auto& [section, open] : folds_)
+        kept.chosen[std::string(fold_option) + section] = open ? "open" : "folded";
     kept.chosen.erase(std::string(axes_option));
     if (axes) kept.chosen[std::string(axes_option)] = view.axes ? "on" : "off";
     const std::vector<std::string> names =
