@@ -283,6 +283,10 @@ std::vector<std::string> arguments_of(const Setup& setup, std::string_view optio
     std::vector<std::string> arguments;
     for (const auto& [key, value] : setup)
         if (const auto name = name_in(key, option)) arguments.push_back(fmt::format("{}={}", *name, value));
+    // "Glass.u" means all programs of that name, so those of "Glass#2.u" come behind it.
+    std::stable_partition(arguments.begin(), arguments.end(), [](const std::string& argument) {
+        return argument.substr(0, argument.find('.')).find('#') == std::string::npos;
+    });
     return arguments;
 }
 

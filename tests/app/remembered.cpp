@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "parser/read/parse.h"
+#include "src/app/open/states.h"
 #include "src/plan/view.h"
 #include "tests/plan/uniforms.h"
 
@@ -262,6 +263,16 @@ TEST(Remembered, ProgramsOfOneNameKeepTheirOwnValuesThroughEdits) {
         apply_setup(read_setup(setup_text(setup_of(before, values))), after, restored);
         expect_values(restored, edit, "as a snapshot");
     }
+}
+
+TEST(Remembered, AStateByNameHasTheValuesOfEachProgramOfOneName) {
+    const Glasses programs{{"a", 1, 2}, {"b", 1, 3}};
+    const Scene scene = glasses(programs);
+    NamedState state;
+    state.sets = arguments_of(setup_of(scene, set_values(scene, programs)), set_option);
+    Controls controls = controls_of(scene);
+    EXPECT_EQ(apply_state(state, scene, controls), "");
+    expect_values(controls, {"nothing", {}, programs}, "by name");
 }
 
 TEST(Remembered, AProgramOfOneNameThatIsBackHasItsOwnValue) {

@@ -53,8 +53,10 @@ std::vector<ProgramId> program_ids(const Scene& scene) {
             if (const auto& file = program.stages[stage])
                 id.files += fmt::format("{}{} {}", id.files.empty() ? "" : " ", text_of::stage_command(stage),
                                         text_of::name(file->name));
-        id.line = program.geometry_input + " " + program.geometry_output;
-        for (const UniformValue& uniform : program.uniforms) id.line += " " + text_of::uniform(uniform);
+        const auto add = [&](const std::string& text) { (id.line += id.line.empty() ? "" : " ") += text; };
+        for (const std::string* form : {&program.geometry_input, &program.geometry_output})
+            if (!form->empty()) add(*form);
+        for (const UniformValue& uniform : program.uniforms) add(text_of::uniform(uniform));
         for (std::string* text : {&id.files, &id.line}) *text = utf8::printable(*text);
     }
     return ids;

@@ -23,6 +23,7 @@ struct SaveAsWords {
     const char *title, *label, *tip;
     std::string name;  // of the widgets
     const char* word = "Save";
+    const char* elsewhere = nullptr;  // what is said of a name with a folder, if anything
 };
 
 // A dialog in the middle of the screen, of that width in multiples of the text height.
@@ -78,7 +79,11 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     if (!dialog.folder.empty()) {
         const std::string_view name = dialog.file.data();
         const bool whole = name == "~" || name.starts_with("~/") || name.starts_with('/');  // it says which folder
-        fitted(whole ? "" : "in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
+        const bool elsewhere = words.elsewhere && (whole || name.find('/') != name.npos);
+        fitted(elsewhere ? words.elsewhere
+               : whole   ? ""
+                         : "in " + dialog.folder,
+               ImGui::GetContentRegionAvail().x, true);
         if (!whole) layout.note(words.name + " folder");
     }
     ImGui::Spacing();
@@ -104,9 +109,12 @@ void open_save_as(SaveAs& dialog, const std::string& name, std::string folder) {
 }
 
 void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
-    static const SaveAsWords scene{"Save scene as", "Save the scene with these values as",
-                                   "In the scene's folder; into another one, the files that the scene reads are copied",
-                                   "save as"};
+    static const SaveAsWords scene{"Save scene as",
+                                   "Save the scene with these values as",
+                                   "In the scene's folder, where the scene finds its files, or with another folder",
+                                   "save as",
+                                   "Save",
+                                   "with the files that the scene would not find there"};
     static const SaveAsWords page{"Save page", "Save a page for browsers, with these values, as",
                                   "One file that holds all files of the scene.\nRelative to the scene's folder",
                                   "save page"};
