@@ -323,13 +323,6 @@ SavedAs saved_as(const Document& document, const std::string& name, std::span<co
     as.exists = fs::exists(path, error);
     if (fs::equivalent(path, document.path, error))
         as.error = "this is the scene itself, which is saved without another name";
-    for (const SavedFile& file : saved.files) {
-        if (file.path == document.path)
-            as.file.after = file.after;
-        else
-            as.error = utf8::printable(fs::path(file.path).filename().string()) +
-                       " has some of these values: save them there first";
-    }
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     const bool gone = !old_folder.empty() && !fs::is_directory(old_folder, error);
     if (as.error.empty() && !fs::is_directory(folder, error))
@@ -338,7 +331,16 @@ SavedAs saved_as(const Document& document, const std::string& name, std::span<co
     // Where the folder is gone, nowhere else has its files: the text is what can be rescued.
     const bool moves = !gone && path.parent_path().lexically_normal() != old_folder.lexically_normal();
     const std::string lost = as.error.empty() && moves ? not_found_from(folder, document) : "";
-    if (!lost.empty()) as.error = "the scene would not find " + lost + " from there";
+    as.lacks = !lost.empty();
+    if (as.lacks) as.error = "the scene would not find " + lost + " from there";
+    for (const SavedFile& file : saved.files) {
+        as.texts[file.path] = file.after;
+        if (file.path == document.path)
+            as.file.after = file.after;
+        else if (as.error.empty())
+            as.error = utf8::printable(fs::path(file.path).filename().string()) +
+                       " has some of these values: save them there first";
+    }
     return as;
 }
 

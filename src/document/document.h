@@ -112,6 +112,8 @@ struct SavedAs {
     bool exists = false;                   // a file of that name would be replaced
     std::string error;                     // why the scene can't have that name
     std::vector<std::string> moving = {};  // as in Saved
+    bool lacks = false;                    // the only error: from its folder the scene would not find its files
+    std::map<std::string, std::string> texts = {};  // of the files that have values, as saved, for a copy of all files
 };
 // Computes it, whatever has become of the scene's own file; writes nothing. `name` is relative to the scene's folder.
 // Refuses folders from which the scene's files would not be found, and values that belong to another file, which the

@@ -47,6 +47,12 @@ Setup all_of(const Scene& scene, const Controls& controls, const View& view) {
     return setup;
 }
 
+// Whether the text has put its own number in the place of the user's.
+bool replaces(const Control& old, const Control& now) {
+    return old.value != old.initial && now.value == now.initial && old.value != now.value &&
+           old.value.size() == now.value.size();
+}
+
 const std::string& at(const Setup& setup, const std::string& key) {
     static const std::string initial;
     const auto found = setup.find(key);
@@ -124,12 +130,31 @@ void History::follow_text(const std::string& name, const Control& old, const Con
            numbers_text({control.initial_min, control.initial_max}));
 }
 
-void History::reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving,
-                     Follow follow) {
+void History::carry_programs(const Scene& scene) {
+    for (const auto& setting : setup_)
+        if (setting.first.starts_with(program_option)) programs_.insert(setting);
+    Setup used;
+    for (const Step& step : steps_)
+        for (const auto& [key, change] : step.changes) used[key];
+    const Renaming renaming(programs_, used, scene);
+    renaming.note(programs_);
+    for (std::string& name : names_) name = renaming.name(name);
+    for (Step& step : steps_) {
+        std::map<std::string, Change> changes;
+        for (auto& [key, change] : step.changes) changes[renaming.key(key)] = std::move(change);
+        step.changes = std::move(changes);
+    }
+}
+
+std::string History::reread(const Scene& scene, const Controls& controls, const View& view,
+                            std::span<const Animated> moving, Follow follow) {
     before_ = {};
+    carry_programs(scene);
     Controls now = controls;
     rest(scene, now, moving);
     const std::vector<std::string> names = control_names(scene, controls);
+    Step replaced;
+    std::string said;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto found = ranges::find(names_, names[i]);
         if (found == names_.end()) continue;
@@ -142,21 +167,40 @@ void History::reread(const Scene& scene, const Controls& controls, const View& v
         }
         // What the text did not list had no value of its own there.
         const bool followed = old.value != control.value || (control.listed && !old.listed);
-        if (old.initial != control.initial && followed) follow_text(names[i], old, control);
+        if (old.initial != control.initial && followed) {
+            follow_text(names[i], old, control);
+            if (replaces(old, control) && ranges::none_of(moving, [&](const Animated& motion) {
+                    return motion.program == control.program && motion.name == control.name;
+                })) {
+                const Change change{numbers_text(old.value), numbers_text(control.value)};
+                said = fmt::format("{} {} was replaced by the file's {}", names[i], numbers(old, change.before),
+                                   numbers(control, change.after));
+                replaced.changes[std::string(set_option) + names[i]] = change;
+            }
+        }
         if (old.initial != control.initial || old.value == control.value) continue;
         control.value = old.value;  // a change that is not a step yet
         control.min = old.min;
         control.max = old.max;
     }
-    View before = view_;
-    if (!objects_.empty()) {
-        std::vector<std::string> objects = object_names(scene);
-        for (Step& step : steps_) carry_changes(objects_, objects, step);
-        carry_objects(objects_, objects, before);
-        objects_ = std::move(objects);
-    }
-    begin(scene, now, before);
+    begin(scene, now, carried_view(scene));
     name_objects(scene, view);
+    const std::size_t count = replaced.changes.size();
+    if (count == 0) return said;
+    push(std::move(replaced));
+    open_ = false;
+    if (count > 1) said = fmt::format("{} were replaced by the file's", counted(count, "value"));
+    return said + (count > 1 ? "; Ctrl+Z brings them back" : "; Ctrl+Z brings it back");
+}
+
+View History::carried_view(const Scene& scene) {
+    View view = view_;
+    if (objects_.empty()) return view;
+    std::vector<std::string> objects = object_names(scene);
+    for (Step& step : steps_) carry_changes(objects_, objects, step);
+    carry_objects(objects_, objects, view);
+    objects_ = std::move(objects);
+    return view;
 }
 
 std::size_t History::old_index(std::size_t index, const std::vector<std::string>& names) const {
@@ -189,6 +233,7 @@ History::Step History::difference(const Scene& scene, const Controls& controls, 
     const Setup now = all_of(scene, controls, view);
     const auto compare = [&](const std::string& key) {
         const std::string &before = at(setup_, key), &after = at(now, key);
+        if (key.starts_with(program_option)) return;
         const bool both = setup_.contains(key) && now.contains(key);  // what the scene lacks is no change
         if (before != after && (both || of_view(key))) step.changes[key] = {before, after};
     };

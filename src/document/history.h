@@ -47,11 +47,12 @@ public:
 
     // Steps are counted from this state.
     void begin(const Scene& scene, const Controls& controls, const View& view);
-    // Call it after the scene was read again: what its text changed is not a step. What moves keeps the value from
-    // before its motion, whatever the text says: a save may have written where it was. Unless values follow the text,
-    // what differs from the last call was changed by the user.
-    void reread(const Scene& scene, const Controls& controls, const View& view, std::span<const Animated> moving = {},
-                Follow follow = Follow::text);
+    // Call it after the scene was read again: what its text changed is not a step, unless the user had changed it, too;
+    // the result then says so. What moves keeps the value from before its motion, whatever the text says: a save may
+    // have written where it was. Unless values follow the text, what differs from the last call was changed by the
+    // user.
+    std::string reread(const Scene& scene, const Controls& controls, const View& view,
+                       std::span<const Animated> moving = {}, Follow follow = Follow::text);
     // Makes a step of what was changed since the last call, or extends the last step if it changed the same in the same
     // gesture, such as turns of the wheel or repeats of a key. Returns true if there was a change.
     bool follow(const Scene& scene, const Controls& controls, const View& view, const Gesture& gesture);
@@ -121,6 +122,10 @@ private:
     static std::string apply(const Step& step, const UserState& state, bool forward);
     // What of the step is not as it was before.
     static std::string words_of(const Step& step, const Setup& before, const UserState& state);
+    // The view, with objects by their new indices, which steps have then, too.
+    View carried_view(const Scene& scene);
+    // Gives programs the names that they have now.
+    void carry_programs(const Scene& scene);
     // Gives objects their new indices; what was changed of those that are gone is removed.
     static void carry_changes(const std::vector<std::string>& from, const std::vector<std::string>& to, Step& step);
 
@@ -134,6 +139,7 @@ private:
     Setup setup_;
     Controls controls_, at_rest_;  // at_rest_ only keeps its memory from frame to frame
     std::vector<std::string> names_;
+    Setup programs_;  // those of the scene, and those of steps that it does not have any more
     View view_;
     Before before_;
     std::vector<std::string> objects_;  // names of the scene's objects; empty until one was moved

@@ -101,7 +101,86 @@ void set_range(Control& control, const std::string& text) {
     control.max = range.max;
 }
 
+// Name, files and line, with tabs between them, which none of them has; "gone" is a fourth.
+std::string text_of(const ProgramId& id) {
+    return fmt::format("{}\t{}\t{}{}", id.name, id.files, id.line, id.gone ? "\tgone" : "");
+}
+
+std::optional<ProgramId> read_program(std::string_view text) {
+    std::vector<std::string> parts{""};
+    for (const char c : text)
+        if (c == '\t')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    if (parts.size() != 3 && parts.size() != 4) return std::nullopt;
+    return ProgramId{parts[0], parts[1], parts[2], parts.size() == 4};
+}
+
+void note(Setup& setup, const std::vector<ProgramId>& programs) {
+    erase(setup, program_option);
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        setup[key(program_option, fmt::format("{}", i))] = text_of(programs[i]);
+}
+
+std::vector<ProgramId> programs_in(const Setup& setup) {
+    std::map<std::size_t, ProgramId> found;
+    for (const auto& [key, value] : setup) {
+        const auto name = name_in(key, program_option);
+        const auto number = name ? read_whole<std::size_t>(*name) : std::nullopt;
+        if (std::optional<ProgramId> id = number ? read_program(value) : std::nullopt) found[*number] = std::move(*id);
+    }
+    std::vector<ProgramId> programs;
+    for (auto& [number, id] : found) programs.push_back(std::move(id));
+    return programs;
+}
+
+Remembered renamed(const Remembered& memory, const Renaming& renaming) {
+    return {renaming(memory.chosen), renaming(memory.written)};
+}
+
 }  // namespace
+
+Renaming::Renaming(const Setup& programs, const Setup& used, const Scene& scene) : programs_(program_ids(scene)) {
+    const std::vector<ProgramId> before = programs_in(programs);
+    const std::vector<std::string> old_names = program_names(before);
+    std::vector<Index> now = carried_programs(before, programs_);
+    const auto is_used = [&](const std::string& name) {
+        const std::string begin = snell::key(set_option, name + ".");
+        const auto first = used.lower_bound(begin);
+        return first != used.end() && first->first.starts_with(begin);
+    };
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (now[i] != none || !is_used(old_names[i])) continue;
+        now[i] = static_cast<Index>(programs_.size());
+        programs_.push_back(before[i]);
+        programs_.back().gone = true;
+    }
+    const std::vector<std::string> names = program_names(programs_);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        if (now[i] != none) names_[old_names[i]] = names[now[i]];
+}
+
+std::string Renaming::name(std::string_view control) const {
+    for (std::size_t dot = control.find('.'); dot != control.npos; dot = control.find('.', dot + 1))
+        if (const auto found = names_.find(control.substr(0, dot)); found != names_.end())
+            return found->second + std::string(control.substr(dot));
+    return std::string(control);
+}
+
+std::string Renaming::key(const std::string& key) const {
+    for (const std::string_view option : {set_option, range_option})
+        if (const auto old = name_in(key, option)) return snell::key(option, name(*old));
+    return key;
+}
+
+Setup Renaming::operator()(const Setup& setup) const {
+    Setup renamed;
+    for (const auto& [key, value] : setup) renamed[this->key(key)] = value;
+    return renamed;
+}
+
+void Renaming::note(Setup& setup) const { snell::note(setup, programs_); }
 
 std::string numbers_text(const std::vector<double>& numbers) { return fmt::format("{}", fmt::join(numbers, ",")); }
 
@@ -121,6 +200,7 @@ Setup setup_of(const Scene& scene, const Controls& controls) {
     for (std::size_t i = 0; i < names.size(); ++i)
         if (controls.items[i].type != ValueType::sampler) note(setup, names[i], controls.items[i]);
     note_rungs(scene, controls.rungs, setup);
+    note(setup, program_ids(scene));
     return setup;
 }
 
@@ -134,6 +214,7 @@ Setup changed_setup(const Scene& scene, const Controls& controls) {
     Setup setup = setup_of(scene, controls);
     for (const auto& [key, value] : written_setup(scene, controls))
         if (const auto found = setup.find(key); found != setup.end() && found->second == value) setup.erase(found);
+    if (!setup.empty()) note(setup, program_ids(scene));
     return setup;
 }
 
@@ -155,12 +236,13 @@ std::size_t apply_setup(const Setup& setup, const Scene& scene, Controls& contro
     const std::vector<std::string> names = control_names(scene, controls);
     std::map<std::string_view, Control*> places;
     for (std::size_t i = 0; i < names.size(); ++i) places.emplace(names[i], &controls.items[i]);
-    for (const auto& [key, value] : setup)
+    const Setup here = Renaming(setup, setup, scene)(setup);
+    for (const auto& [key, value] : here)
         if (const auto name = name_in(key, set_option)) {
             const auto place = places.find(*name);
             if (place == places.end() || !set_value(*place->second, scene, value)) ++lost;
         }
-    for (const auto& [key, value] : setup)
+    for (const auto& [key, value] : here)
         if (const auto name = name_in(key, range_option))
             if (const auto place = places.find(*name); place != places.end()) set_range(*place->second, value);
     return lost;
@@ -201,6 +283,10 @@ std::vector<std::string> arguments_of(const Setup& setup, std::string_view optio
     std::vector<std::string> arguments;
     for (const auto& [key, value] : setup)
         if (const auto name = name_in(key, option)) arguments.push_back(fmt::format("{}={}", *name, value));
+    // "Glass.u" means all programs of that name, so those of "Glass#2.u" come behind it.
+    std::stable_partition(arguments.begin(), arguments.end(), [](const std::string& argument) {
+        return argument.substr(0, argument.find('.')).find('#') == std::string::npos;
+    });
     return arguments;
 }
 
@@ -226,6 +312,9 @@ void erase(Setup& setup, std::string_view option) {
 }
 
 void remember(const Scene& scene, const Controls& controls, Remembered& memory, bool all) {
+    const Renaming renaming(memory.written, memory.chosen, scene);
+    memory = renamed(memory, renaming);
+    renaming.note(memory.written);
     const std::vector<std::string> names = control_names(scene, controls);
     for (std::size_t i = 0; i < names.size(); ++i) {
         const Control& control = controls.items[i];
@@ -252,17 +341,21 @@ void remember(const Scene& scene, const Controls& controls, Remembered& memory, 
             memory.written.erase(ladder);
         }
     }
-    if (memory.chosen.size() <= 2 * names.size() + rungs.size() + most_gone) return;
-    const Setup here = setup_of(scene, controls);
-    for (Setup* setup : {&memory.chosen, &memory.written})
-        std::erase_if(*setup, [&](const auto& setting) { return !here.contains(setting.first); });
+    if (memory.chosen.size() > 2 * names.size() + rungs.size() + most_gone) {
+        const Setup here = setup_of(scene, controls);
+        for (Setup* setup : {&memory.chosen, &memory.written})
+            std::erase_if(*setup, [&](const auto& setting) { return !here.contains(setting.first); });
+    }
+    const auto of_program = [](const auto& setting) { return setting.first.starts_with(set_option); };
+    if (ranges::none_of(memory.chosen, of_program)) erase(memory.written, program_option);
 }
 
 bool recall(const Remembered& memory, const Scene& scene, Controls& controls, Follow follow) {
     bool changed = false;
     if (memory.chosen.empty()) return changed;
     const std::vector<std::string> names = control_names(scene, controls);
-    for (std::size_t i = 0; i < names.size(); ++i) changed |= recall_value(memory, names[i], controls.items[i], follow);
+    const Remembered here = renamed(memory, Renaming(memory.written, memory.chosen, scene));
+    for (std::size_t i = 0; i < names.size(); ++i) changed |= recall_value(here, names[i], controls.items[i], follow);
     return changed;
 }
 

@@ -16,15 +16,37 @@ namespace snell {
 
 // By option and name: "--set Glass.uEta" is "1.3", "--range Glass.uEta" "0,2", "--ladder FRESNEL" "exact",
 // "--view eye.x" "-2", "--axes" "on". Of the view it has what differs from View{}, which an empty value means.
+// "--program 0" is what tells the first of the scene's programs from others of its name: in another text, "Glass#2" may
+// be the first of that name. Commands have no such option.
 using Setup = std::map<std::string, std::string>;
 
 inline constexpr std::string_view set_option = "--set ", range_option = "--range ", ladder_option = "--ladder ",
-                                  view_option = "--view ", axes_option = "--axes";
+                                  view_option = "--view ", axes_option = "--axes", program_option = "--program ";
 
 // The numbers of a value, such as "1,0.5,0". They read back to the same bits.
 std::string numbers_text(const std::vector<double>& numbers);
 // Returns no numbers if the text is not such a list.
 std::vector<double> read_numbers(std::string_view text);
+
+// Gives programs the names that they have in another text. Those that it does not have, and of which `used` has a
+// value, are named behind its own.
+class Renaming {
+public:
+    // `programs` has what told them apart; without that, names stay.
+    Renaming(const Setup& programs, const Setup& used, const Scene& scene);
+
+    // Of a uniform, such as "Glass.uEta" for "Glass#2.uEta".
+    std::string name(std::string_view control) const;
+    // Of a setting, such as "--set Glass.uEta".
+    std::string key(const std::string& key) const;
+    Setup operator()(const Setup& setup) const;
+    // What tells the scene's programs apart, and those that it does not have.
+    void note(Setup& setup) const;
+
+private:
+    std::vector<ProgramId> programs_;
+    std::map<std::string, std::string, std::less<>> names_;  // by the old ones
+};
 
 // All values, ranges and rungs, or as the scene's text says them.
 Setup setup_of(const Scene& scene, const Controls& controls);
@@ -61,7 +83,7 @@ std::string view_text(const View& view);
 // Returns "" or the error.
 std::string parse_view(std::string_view text, View& view);
 
-// What was chosen, and what the text said then. Both have the same settings.
+// What was chosen, and what the text said then. Both have the same settings; the latter has the programs, too.
 struct Remembered {
     Setup chosen, written;
     bool operator==(const Remembered&) const = default;

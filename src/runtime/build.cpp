@@ -95,10 +95,19 @@ std::shared_ptr<LinkedProgram> Runtime::Impl::compile(Index program, const runti
     const bool another =
         ranges::any_of(programs, [&](const auto& other) { return other.first.first == program && other.second; });
     const std::uint64_t compiled = counters.programs_compiled;
-    auto linked = runtime::link_program(
-        {plan.scene.programs[program], plan.programs[program].stages, plan.scene.ladders, variant, caps, *files,
-         *sources, from, counters, variant.settled ? settler(program) : glsl::Settler()},
-        diagnostics);
+    auto linked = runtime::link_program({plan.scene.programs[program],
+                                         plan.programs[program].stages,
+                                         plan.scene.ladders,
+                                         variant,
+                                         caps,
+                                         *files,
+                                         *sources,
+                                         from,
+                                         counters,
+                                         variant.settled ? settler(program) : glsl::Settler(),
+                                         {},
+                                         program_name(plan.scene, program)},
+                                        diagnostics);
     const std::uint64_t fresh = counters.programs_compiled - compiled;
     if (another) counters.variants += fresh;
     if (linked && !linked->settled.empty() && fresh > 0) {

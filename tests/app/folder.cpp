@@ -26,6 +26,41 @@ std::vector<std::string> names(const ui::Listing& listing) {
 
 using Names = std::vector<std::string>;
 
+// Looks until a picture is made, or until nothing is left to do.
+std::string made_by(ScenePictures& pictures, int looks = 2000) {
+    std::string scene;
+    for (int i = 0; i < looks && scene.empty(); ++i) {
+        scene = pictures.look();
+        usleep(5000);
+    }
+    return scene;
+}
+
+TEST(ScenePictures, AreMadeAgainWhenAFileOfTheSceneIsWritten) {
+    const Scratch folder;
+    folder.write("draw", "#!/bin/sh\necho picture > \"$4\"\n");
+    ASSERT_EQ(chmod(folder.path("draw").c_str(), 0700), 0);
+    folder.write("part.inc", "Sphere\n");
+    folder.write("paint.vert", "#include \"light.glsl\"\nvoid main() { gl_Position = ftransform(); }\n");
+    for (const char* file : {"light.glsl", "paint.frag", "other.frag"}) folder.write(file, "void main() {}\n");
+    folder.write("wood.png", "");
+    const std::string scene = folder.write("scene.glib",
+                                           "Texture2D 5 wood.png\nVertex paint.vert\nFragment paint.frag\n"
+                                           "Program Paint\nInclude part.inc\n");
+    ScenePictures pictures(folder.path("pictures"), folder.path("draw"));
+    pictures.want({scene});
+    ASSERT_EQ(made_by(pictures), scene);
+    EXPECT_EQ(made_by(pictures, 20), "") << "it is current";
+    auto when = std::filesystem::last_write_time(thumbnail_file(folder.path("pictures"), scene));
+    for (const char* file : {"paint.frag", "light.glsl", "part.inc", "wood.png", "scene.glib"}) {
+        std::filesystem::last_write_time(folder.path(file), when += std::chrono::seconds(10));
+        folder.write("draw", fmt::format("#!/bin/sh\necho picture > \"$4\"\ntouch -r {} \"$4\"\n", folder.path(file)));
+        EXPECT_EQ(made_by(pictures), scene) << file;
+    }
+    std::filesystem::last_write_time(folder.path("other.frag"), when + std::chrono::seconds(10));
+    EXPECT_EQ(made_by(pictures, 20), "") << "the scene does not read it";
+}
+
 TEST(ScenePictures, SayWhyThereIsNone) {
     const Scratch folder;
     folder.write("bad.glib", "Spere 1\n");
@@ -37,21 +72,13 @@ TEST(ScenePictures, SayWhyThereIsNone) {
     const std::string scene = folder.path("bad.glib");
     pictures.want({scene});
     EXPECT_EQ(pictures.why(scene), "") << "nobody tried";
-    const auto made = [&] {
-        std::string scene_made;
-        for (int i = 0; i < 2000 && scene_made.empty(); ++i) {
-            scene_made = pictures.look();
-            usleep(5000);
-        }
-        return scene_made;
-    };
-    EXPECT_EQ(made(), scene);
+    EXPECT_EQ(made_by(pictures), scene);
     EXPECT_EQ(pictures.why(scene), "bad.glib:1:1: error: no such command");
     EXPECT_EQ(pictures.look(), "");
     EXPECT_NE(pictures.why(scene), "") << "once is enough";
     folder.write("draw", "#!/bin/sh\necho background > \"$4\"\necho 'bad.glib:1:1: error: another one'\nexit 1\n");
     std::filesystem::last_write_time(scene, std::filesystem::last_write_time(scene) - std::chrono::seconds(10));
-    EXPECT_EQ(made(), scene) << "until it is written again";
+    EXPECT_EQ(made_by(pictures), scene) << "until it is written again";
     EXPECT_EQ(pictures.why(scene), "bad.glib:1:1: error: another one");
     EXPECT_FALSE(std::filesystem::exists(thumbnail_file(folder.path("pictures"), scene))) << "of a part of the scene";
 }

@@ -52,14 +52,14 @@ protected:
     std::string undo() { return history_.undo(state()); }
     std::string redo() { return history_.redo(state()); }
     // The text was edited: the values carry over as in a session.
-    void edit(Scene scene, std::span<const Animated> moving = {}, Follow follow = Follow::text) {
+    std::string edit(Scene scene, std::span<const Animated> moving = {}, Follow follow = Follow::text) {
         Controls next = fresh(scene);
         carry_over(controls_, scene_, next, scene);
         if (follow == Follow::memory)
             for (std::size_t i = 0; i < next.items.size(); ++i) take_value(controls_.items[i], next.items[i], follow);
         scene_ = std::move(scene);
         controls_ = std::move(next);
-        history_.reread(scene_, controls_, view_, moving, follow);
+        return history_.reread(scene_, controls_, view_, moving, follow);
     }
 
     Scene scene_;
@@ -318,6 +318,8 @@ TEST_F(Undo, StepsFollowTheValuesOfTheText) {
     edit(with(.5));
     EXPECT_EQ(value(0), .5);
     undo();
+    EXPECT_EQ(value(0), 1.5) << "which the text replaced";
+    undo();
     EXPECT_EQ(value(0), .5);
     redo();
     EXPECT_EQ(value(0), 1.5);
@@ -373,6 +375,80 @@ TEST_F(Undo, AStepOfAValueThatADamagedTextDidNotListLeadsToTheTexts) {
     ASSERT_EQ(value(0), .5);
     undo();
     EXPECT_EQ(value(0), .5) << "0 was no value of the text";
+}
+
+TEST_F(Undo, AValueThatTheTextReplacedComesBack) {
+    value(0) = 1.25;
+    ASSERT_TRUE(step());
+    Scene other = scene({"uEta", "uMix"});
+    other.programs[0].uniforms[1].values[1] = .75;
+    EXPECT_EQ(edit(other), "") << "of another number";
+    EXPECT_EQ(value(0), 1.25);
+    Scene edited = other;
+    edited.programs[0].uniforms[0].values[1] = 1.5;
+    EXPECT_EQ(edit(edited), "Glass.uEta 1.25 was replaced by the file's 1.5; Ctrl+Z brings it back");
+    EXPECT_EQ(value(0), 1.5);
+    EXPECT_FALSE(step()) << "it is a step already";
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.5 \u2192 1.25");
+    EXPECT_EQ(redo(), "redo: Glass.uEta 1.25 \u2192 1.5");
+    undo();
+    EXPECT_EQ(undo(), "undo: Glass.uEta 1.25 \u2192 1.5") << "the text's, which is another now";
+    value(0) = 1.75;
+    value(1) = 1;
+    ASSERT_TRUE(step());
+    EXPECT_EQ(edit(scene({"uEta", "uMix"})), "2 values were replaced by the file's; Ctrl+Z brings them back");
+    EXPECT_EQ(undo(), "undo: 2 values");
+    EXPECT_EQ(value(0), 1.75);
+    EXPECT_EQ(value(1), 1);
+    edited.programs[0].uniforms[0].values[1] = 1.75;
+    EXPECT_EQ(edit(edited), "Glass.uMix 1 was replaced by the file's 0.75; Ctrl+Z brings it back")
+        << "the other is what the user has";
+}
+
+TEST(UndoOfPrograms, OfOneNameChangesTheOneThatWasChanged) {
+    const auto scene_of = [](const std::vector<const char*>& files) {
+        Scene scene =
+            scene_with(std::vector<ProgramLine>(files.size(), {"Glass", {value_of("u", Kind::range, {0, .5, 2})}}));
+        for (std::size_t i = 0; i < files.size(); ++i)
+            scene.programs[i].stages[static_cast<std::size_t>(Stage::fragment)] = FileName{files[i], {}};
+        return scene;
+    };
+    Scene scene;
+    Controls controls;
+    View view;
+    History history;
+    const auto read = [&](const std::vector<const char*>& files) {
+        Scene next = scene_of(files);
+        std::vector<ActiveUniform> uniforms(1, active("float"));
+        uniforms[0].name = "u";
+        Diagnostics ignored;
+        Controls fresh = make_controls(next, std::vector(files.size(), uniforms), ignored);
+        carry_over(controls, scene, fresh, next);
+        scene = std::move(next);
+        controls = std::move(fresh);
+    };
+    const auto reread = [&](const std::vector<const char*>& files) {
+        read(files);
+        history.reread(scene, controls, view);
+    };
+    const auto undo = [&] { return history.undo({scene, controls, view, [] {}}); };
+    read({"a", "b"});
+    history.begin(scene, controls, view);
+    controls.items[0].value = {1};
+    ASSERT_TRUE(history.follow(scene, controls, view, {false, 1, 1}));
+    controls.items[1].value = {1.5};
+    ASSERT_TRUE(history.follow(scene, controls, view, {false, 2, 2}));
+    reread({"b"});
+    EXPECT_EQ(undo(), "undo: Glass.u 1.5 \u2192 0.5");
+    EXPECT_EQ(history.redo({scene, controls, view, [] {}}), "redo: Glass.u 0.5 \u2192 1.5");
+    reread({"b", "c"});
+    EXPECT_EQ(undo(), "undo: Glass.u 1.5 \u2192 0.5");
+    EXPECT_EQ(undo(), "nothing to undo") << "a is gone, and c is not a";
+    reread({"a", "b"});
+    controls.items[0].value = {1};
+    EXPECT_EQ(controls.items[1].value, Values{.5});
+    history.begin(scene, controls, view);
+    EXPECT_EQ(history.redo({scene, controls, view, [] {}}), "redo: Glass#2.u 0.5 \u2192 1.5");
 }
 
 // The program uses the uniform still, but for one save its line does not list it.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "parser/read/parse.h"
+#include "src/app/open/states.h"
 #include "src/plan/view.h"
 #include "tests/plan/uniforms.h"
 
@@ -192,6 +193,104 @@ TEST(Remembered, ProgramsOfOneNameAreToldApart) {
     EXPECT_EQ(controls.items[0].value, std::vector<double>{3});
     EXPECT_EQ(controls.items[1].value, std::vector<double>{1});
     EXPECT_EQ(controls.items[2].value, std::vector<double>{4});
+}
+
+// Programs of the name Glass, by their fragment shaders, with a number of the text and the value that they have.
+struct Glass {
+    std::string file;
+    double written = 1, value = 0;
+};
+using Glasses = std::vector<Glass>;
+
+Scene glasses(const Glasses& programs) {
+    Scene scene;
+    for (const Glass& glass : programs) {
+        Program& program = scene.programs.emplace_back();
+        program.name = "Glass";
+        program.stages[static_cast<std::size_t>(Stage::fragment)] = FileName{glass.file, {}};
+        program.uniforms = {value_of("u", Kind::range, {0, 1, 9}), value_of("v", Kind::scalar, {glass.written})};
+    }
+    return scene;
+}
+
+// Values of u, where 1 is the text's, after an edit: of the old programs, then of the new ones.
+struct Edit {
+    const char* what;
+    Glasses before, after;
+};
+const std::vector<Edit>& edits() {
+    static const std::vector<Edit> all{
+        {"the first is removed", {{"a", 1, 2}, {"b", 1, 3}}, {{"b", 1, 3}}},
+        {"one is added before", {{"a", 1, 2}}, {{"b", 1, 1}, {"a", 1, 2}}},
+        {"one is added between", {{"a", 1, 2}, {"b", 1, 3}}, {{"a", 1, 2}, {"c", 1, 1}, {"b", 1, 3}}},
+        {"they change places", {{"a", 1, 2}, {"b", 1, 3}}, {{"b", 1, 3}, {"a", 1, 2}}},
+        {"one gets another shader", {{"a", 1, 2}, {"b", 1, 3}}, {{"c", 1, 2}, {"b", 1, 3}}},
+        {"both do", {{"a", 1, 2}, {"b", 1, 3}}, {{"c", 1, 2}, {"d", 1, 3}}},
+        {"of one shader, one has another number", {{"a", 1, 2}, {"a", 5, 3}}, {{"a", 4, 2}, {"a", 5, 3}}},
+        {"both have the number of one", {{"a", 1, 2}, {"a", 5, 3}}, {{"a", 5, 2}, {"a", 5, 3}}},
+        {"of one shader, the first is removed", {{"a", 1, 2}, {"a", 5, 3}}, {{"a", 5, 3}}},
+        {"which one was removed is not known", {{"a", 1, 2}, {"a", 1, 3}}, {{"a", 1, 1}}},
+        {"which one has another shader is not known", {{"a", 1, 2}, {"b", 1, 3}}, {{"c", 1, 1}}},
+        {"one is copied", {{"a", 1, 2}}, {{"a", 1, 2}, {"a", 1, 1}}},
+    };
+    return all;
+}
+
+Controls set_values(const Scene& scene, const Glasses& programs) {
+    Controls controls = controls_of(scene);
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        if (programs[i].value != 0) controls.find(static_cast<Index>(i), "u")->value = {programs[i].value};
+    return controls;
+}
+
+void expect_values(const Controls& controls, const Edit& edit, const char* path) {
+    for (std::size_t i = 0; i < edit.after.size(); ++i)
+        EXPECT_EQ(controls.find(static_cast<Index>(i), "u")->value, Values{edit.after[i].value})
+            << edit.what << ", " << path << ", program " << i;
+}
+
+TEST(Remembered, ProgramsOfOneNameKeepTheirOwnValuesThroughEdits) {
+    for (const Edit& edit : edits()) {
+        const Scene before = glasses(edit.before), after = glasses(edit.after);
+        const Controls values = set_values(before, edit.before);
+        Controls carried = controls_of(after), recalled = carried, restored = carried;
+        carry_over(values, before, carried, after);
+        expect_values(carried, edit, "at once");
+        Remembered memory;
+        remember(before, values, memory);
+        recall(memory, after, recalled);
+        expect_values(recalled, edit, "kept");
+        apply_setup(read_setup(setup_text(setup_of(before, values))), after, restored);
+        expect_values(restored, edit, "as a snapshot");
+    }
+}
+
+TEST(Remembered, AStateByNameHasTheValuesOfEachProgramOfOneName) {
+    const Glasses programs{{"a", 1, 2}, {"b", 1, 3}};
+    const Scene scene = glasses(programs);
+    NamedState state;
+    state.sets = arguments_of(setup_of(scene, set_values(scene, programs)), set_option);
+    Controls controls = controls_of(scene);
+    EXPECT_EQ(apply_state(state, scene, controls), "");
+    expect_values(controls, {"nothing", {}, programs}, "by name");
+}
+
+TEST(Remembered, AProgramOfOneNameThatIsBackHasItsOwnValue) {
+    const Glasses all{{"a", 1, 2}, {"b", 1, 3}};
+    const Scene both = glasses(all), second = glasses({all[1]}), third = glasses({all[1], {"c"}});
+    Remembered memory;
+    remember(both, set_values(both, all), memory);
+    for (const Scene* meanwhile : {&second, &third}) {
+        Controls controls = controls_of(*meanwhile);
+        recall(memory, *meanwhile, controls);
+        EXPECT_EQ(controls.find(0, "u")->value, Values{3});
+        const Control* const other = controls.find(1, "u");
+        EXPECT_EQ(other ? other->value : Values{1}, Values{1}) << "c is not a";
+        remember(*meanwhile, controls, memory);
+    }
+    Controls controls = controls_of(both);
+    recall(memory, both, controls);
+    expect_values(controls, {"back", {}, all}, "kept");
 }
 
 TEST(Remembered, RungsGoByNameAndFollowTheText) {

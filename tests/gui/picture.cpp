@@ -65,6 +65,27 @@ TEST_F(SavedPicture, LargerThanTheWindowItIsWhatTheCommandDraws) {
     EXPECT_TRUE(alive());
 }
 
+// The saved picture is that of the time that the dialog says, however long it is open.
+TEST_F(SavedPicture, TimeStandsWhileTheDialogIsOpen) {
+    save("paint.frag",
+         "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(fract(8. * Timer), uRed, .5, 1.); }\n");
+    open("scene.glib", {"--size", "640x480"});
+    choose("save", "picture");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture time"); }));
+    const double stands = state()["time"];
+    ASSERT_TRUE(idle());
+    EXPECT_EQ(state()["time"], stands);
+    type("picture file", file("moment.png"), Field::unconfirmed);
+    click("picture command");
+    const std::string command = state()["notice"].get<std::string>().substr(8);
+    click("picture save");
+    ASSERT_TRUE(wait([](const json& s) { return s["notice"].get<std::string>().rfind("saved moment.png", 0) == 0; }));
+    const Picture saved = read_picture("moment.png");
+    ASSERT_EQ(shell(command), 0) << command;
+    EXPECT_TRUE(read_picture("moment.png").rgb == saved.rgb) << command;
+    EXPECT_TRUE(wait([&](const json& s) { return s["time"] > stands; })) << "time goes on";
+}
+
 TEST_F(SavedPicture, WhatIsThereIsReplacedOnlyWhenAsked) {
     open("scene.glib", {"--size", "640x480"});
     save("there.png", "old");

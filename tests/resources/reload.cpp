@@ -57,6 +57,17 @@ TEST_F(Reload, OfNothingNewMakesNothing) {
     EXPECT_EQ(counters.files_opened, 4U) << "the scene and its shaders";
 }
 
+// As values are, in the panel and for `--set`.
+TEST_F(Reload, MistakesOfProgramsOfOneNameAreToldApart) {
+    folder.write("bad.frag", "void main() { gl_FragColor = nothing; }\n");
+    folder.write("scene.glib", "Vertex plain.vert\nFragment bad.frag\nProgram A\nQuadXY\nProgram A\nQuadXY\n");
+    const auto document = open_file(folder.path("scene.glib"));
+    const std::string said = render(document->diagnostics, document->sources);
+    EXPECT_NE(said.find("(fragment shader of 'A')"), said.npos) << said;
+    EXPECT_NE(said.find("(fragment shader of 'A#2')"), said.npos) << said;
+    complaints.clear();
+}
+
 TEST_F(Reload, OfOneShaderCompilesOneProgram) {
     auto old = open_file(folder.path("scene.glib"));
     draw(*old);

@@ -175,6 +175,27 @@ TEST_F(FilePanels, TheBrowserOpensWhatIsClickedTwice) {
     EXPECT_FALSE(memory_.browser.open);
 }
 
+TEST_F(FilePanels, TheRecentScenesAreOneRowUnlessOneIsSought) {
+    std::vector<SceneCard> many;
+    for (int i = 0; i < 12; ++i) {
+        const std::string name = "old" + std::to_string(i) + ".glib";
+        many.push_back({name, "/x", "/x/" + name});
+    }
+    facts_.recent = many;
+    choose("open", "open");
+    const float top = place("browser.recent.old0.glib").y;
+    EXPECT_EQ(place("browser.recent.old1.glib").y, top);
+    for (int i = 2; i < 12; ++i) {
+        const std::string name = "browser.recent." + many[static_cast<std::size_t>(i)].name;
+        EXPECT_TRUE(!has(name) || place(name).y == top) << name;
+    }
+    EXPECT_FALSE(has("browser.recent.old11.glib"));
+    const Rect beside = place("browser.beside.ball.glib");
+    EXPECT_LT(beside.y + beside.height, screen_.height) << "in sight without scrolling";
+    write("old11");
+    EXPECT_TRUE(has("browser.recent.old11.glib"));
+}
+
 TEST_F(FilePanels, TheBrowserBeginsWithScenesAsPictures) {
     listing_.entries.resize(1);  // so that all is seen without scrolling
     const std::vector<SceneCard> scenes{{"glass.glib", "", "/s/glass.glib", {7, 1.5F}},

@@ -40,6 +40,11 @@ TEST_F(UiKeep, SaveAsSaysInWhichFolder) {
     EXPECT_TRUE(has("save as folder"));
     EXPECT_EQ(place("save as folder").width, ImGui::CalcTextSize("in ~/scenes").x);
     memory_.save_as.open = false;
+    frame();
+    open_save_as(memory_.save_as, "x/a.glib", "~/scenes");
+    EXPECT_EQ(place("save as folder").width,
+              ImGui::CalcTextSize("with the files that the scene would not find there").x);
+    memory_.save_as.open = false;
     open_save_as(memory_.save_as, "a.glib", "");
     EXPECT_FALSE(has("save as folder"));
 }

@@ -221,10 +221,14 @@ TEST_F(UiTest, SectionsAreRememberedByTheirSceneAndName) {
     EXPECT_TRUE(has("Glass.uEta"));
     click(place("Glass"));
     EXPECT_FALSE(has("Glass.uEta"));
+    EXPECT_EQ(memory_.folds, (std::map<std::string, bool>{{"Glass#0", false}}));
     FileRow other;
     other.path = "/second.glib";
     facts_.files = {&other, 1};
+    const auto folds = std::exchange(memory_.folds, {});  // each scene has its own
     EXPECT_TRUE(has("Glass.uEta")) << "another scene";
+    EXPECT_TRUE(memory_.folds.empty()) << "nobody folded it";
+    memory_.folds = folds;
     facts_.files = {&file, 1};
     EXPECT_FALSE(has("Glass.uEta"));
     scene_.programs.insert(scene_.programs.begin(), scene_.programs[0]);

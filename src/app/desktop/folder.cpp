@@ -15,6 +15,7 @@
 #include "src/app/desktop/settings.h"
 #include "src/content/files.h"
 #include "src/content/replace.h"
+#include "src/document/document.h"
 #include "src/plan/locate.h"
 #include "src/ui/panels/panels.h"
 
@@ -178,10 +179,21 @@ namespace fs = std::filesystem;
 constexpr const char* size = "160x120";
 constexpr int seconds = 20;  // of one picture
 
-bool current(const std::string& picture, const std::string& scene) {
-    std::error_code none, missing;
-    const auto made = fs::last_write_time(picture, missing), written = fs::last_write_time(scene, none);
-    return !missing && !none && made >= written;
+bool current(const std::string& picture, fs::file_time_type written) {
+    std::error_code missing;
+    const auto made = fs::last_write_time(picture, missing);
+    return !missing && made >= written;
+}
+
+// The earliest time if there are none.
+fs::file_time_type last_written(const std::vector<std::string>& files) {
+    auto last = fs::file_time_type::min();
+    for (const std::string& file : files) {
+        std::error_code missing;
+        const auto written = fs::last_write_time(file, missing);
+        if (!missing) last = std::max(last, written);
+    }
+    return last;
 }
 
 // The scenes below the folder, by their paths; those in `only` of each folder in it, or all if it is empty.
@@ -220,13 +232,24 @@ std::string_view ScenePictures::why(const std::string& scene) const {
     return found == tried_.end() ? std::string_view() : found->second.why;
 }
 
+std::optional<ScenePictures::Time> ScenePictures::written(const std::string& scene, bool& reads) {
+    const auto known = read_.find(scene);
+    if (known != read_.end() && last_written(known->second.files) == known->second.written)
+        return known->second.written;
+    if (!std::exchange(reads, false)) return std::nullopt;
+    Read read{files_read_by(scene, {}), {}};
+    read.files.push_back(scene);
+    read.written = last_written(read.files);
+    return (read_[scene] = std::move(read)).written;
+}
+
 std::string ScenePictures::look() {
     if (process_.running()) {
         const std::optional<content::Ended> ended = process_.poll();
         if (!ended) return {};
         std::string made = std::exchange(making_, {});
         const std::string file = thumbnail_file(folder_, made);
-        if (ended->status == 0 && current(file, made)) return made;
+        if (ended->status == 0 && current(file, tried_[made].written)) return made;
         // Of a scene with errors, what was drawn is no picture.
         std::error_code error;
         fs::remove(file, error);
@@ -234,15 +257,18 @@ std::string ScenePictures::look() {
         return made;
     }
     std::error_code error;
+    bool reads = true;
+    std::optional<Time> last;
     const auto lacks = [&](const std::string& scene) {
         const auto tried = tried_.find(scene);
-        const bool again = tried == tried_.end() || tried->second.written != fs::last_write_time(scene, error);
-        return again && !current(thumbnail_file(folder_, scene), scene);
+        last = written(scene, reads);
+        const bool again = last && (tried == tried_.end() || tried->second.written != *last);
+        return again && !current(thumbnail_file(folder_, scene), *last);
     };
     const auto next = folder_.empty() ? wanted_.end() : ranges::find_if(wanted_, lacks);
     if (next == wanted_.end()) return {};
     making_ = *next;
-    tried_[making_] = {fs::last_write_time(making_, error), {}};
+    tried_[making_] = {*last, {}};
     fs::create_directories(folder_, error);
     // In the background, behind what the user does.
     process_.start({"nice", "-n", "10", program_, "render", making_, "-o", thumbnail_file(folder_, making_), "--size",

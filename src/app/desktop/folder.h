@@ -63,21 +63,31 @@ public:
     // `folder` is that of the pictures; without one, none are made. `program` makes them.
     explicit ScenePictures(std::string folder, std::string program = own_program())
         : folder_(std::move(folder)), program_(std::move(program)) {}
-    // Makes the pictures of these scenes that have none, or one that is older than the scene, in this order. What is
-    // being made for others is finished, and no more.
+    // Makes the pictures of these scenes that have none, or one that is older than a file of the scene, in this order.
+    // What is being made for others is finished, and no more.
     void want(std::vector<std::string> scenes) { wanted_ = std::move(scenes); }
     // Call it regularly. Returns the scene whose picture is new, or could not be made, or "".
     std::string look();
-    // Why the scene has no picture; empty if it may still get one. It stays until the scene is tried again, after it
-    // was written.
+    // Why the scene has no picture; empty if it may still get one. It stays until the scene is tried again, after one
+    // of its files was written.
     std::string_view why(const std::string& scene) const;
 
 private:
+    using Time = std::filesystem::file_time_type;
+    // When the scene, or a file that it reads, was written last. Which these are is read from the texts again if one of
+    // them was written, for one scene at each look; `reads`: for this one.
+    std::optional<Time> written(const std::string& scene, bool& reads);
+
     std::string folder_, program_;
     std::vector<std::string> wanted_;
+    struct Read {
+        std::vector<std::string> files;
+        Time written;
+    };
+    std::map<std::string, Read> read_;
     struct Tried {
-        std::filesystem::file_time_type written;  // the scene, as it was tried
-        std::string why;                          // it has none
+        Time written;     // the scene, as it was tried
+        std::string why;  // it has none
     };
     std::map<std::string, Tried> tried_;
     std::string making_;

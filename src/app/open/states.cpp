@@ -96,7 +96,8 @@ NamedState named_state(std::string_view name, const std::string& path, const Sce
     const std::string_view number = name.substr(state_snapshot.size());
     const int index = number.size() == 1 ? number[0] - '0' : 0;
     if (index < 1 || index > most_snapshots) return {.error = no_snapshot(number, path)};
-    const Setup setup = read_snapshot(index, path, state.error);
+    Setup setup = read_snapshot(index, path, state.error);
+    setup = Renaming(setup, setup, scene)(setup);
     return {true, arguments_of(setup, set_option), arguments_of(setup, ladder_option), state.error};
 }
 

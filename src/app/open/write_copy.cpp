@@ -37,13 +37,16 @@ CopyNames names_for(const std::string& marked, const Access& access) {
 
 // The files of the copy. Sets `copy.error` if the scene would not find them there.
 std::vector<Target> gather(const std::string& scene, const Access& access,
-                           const std::map<std::string, std::string>& texts, const fs::path& folder, WrittenCopy& copy) {
+                           const std::map<std::string, std::string>& texts, const fs::path& folder,
+                           const std::string& name, WrittenCopy& copy) {
     const std::string marked = marked_path(scene);
     Files files(scene_folder(marked), access);
     const CopyNames names = names_for(marked, access);
     copy.error = names.error;
     if (names.files.empty()) copy.error = fmt::format("cannot read '{}'", shown(scene));
-    copy.scene = (folder / names.scene).string();
+    fs::path renamed = folder / names.scene;
+    if (!name.empty()) renamed.replace_filename(name);
+    copy.scene = renamed.string();
     std::map<std::string, const std::string*> changed;
     for (const auto& [path, text] : texts) changed.emplace(plain(path), &text);
     std::vector<Target> targets;
@@ -57,7 +60,7 @@ std::vector<Target> gather(const std::string& scene, const Access& access,
         std::string wrong;
         std::optional<std::string> bytes = text ? *text.mapped() : files.read(named.path, wrong);
         if (!bytes) copy.error = fmt::format("cannot read '{}': {}", shown_path(named.path), wrong);
-        targets.push_back({folder / named.name, std::move(bytes).value_or("")});
+        targets.push_back({named.name == names.scene ? renamed : folder / named.name, std::move(bytes).value_or("")});
     }
     if (!changed.empty() && copy.error.empty())
         copy.error = fmt::format("the scene does not read '{}'", shown(changed.begin()->first));
@@ -117,12 +120,12 @@ std::string write_all(const std::vector<Target>& targets, const fs::path& folder
 }  // namespace
 
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
-                       const std::string& folder) {
+                       const std::string& folder, const std::string& name) {
     WrittenCopy copy;
     // Without a slash at its end, so that the way from a file in it ends there.
     fs::path into = fs::path(folder).lexically_normal();
     if (!into.has_filename() && into.has_relative_path()) into = into.parent_path();
-    std::vector<Target> targets = gather(scene, access, texts, into, copy);
+    std::vector<Target> targets = gather(scene, access, texts, into, name, copy);
     std::error_code error;
     if (copy.error.empty() && fs::exists(into, error) && !fs::is_directory(into, error))
         copy.error = fmt::format("'{}' is not a folder", shown(into));

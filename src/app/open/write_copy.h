@@ -22,9 +22,10 @@ struct WrittenCopy {
 // Writes the scene and everything that it reads, whatever its rungs are, into `folder`, which is made if it is missing.
 // `texts`: by path, as Files resolves it for the scene, what is written instead of the file. Files keep their places
 // relative to each other (copy_names.h). It writes all files or none, and refuses to replace a file with other bytes,
-// to follow links within the folder, and to write into the scene's own folder.
+// to follow links within the folder, and to write into the scene's own folder. The scene gets this `name`, or keeps its
+// own.
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
-                       const std::string& folder);
+                       const std::string& folder, const std::string& name = {});
 
 // The names that the files of a scene get in a copy, which is a page or another folder, by which the scene finds them
 // there as it does on the disk.

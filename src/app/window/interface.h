@@ -52,8 +52,8 @@ public:
     bool busy() const { return gui_.busy(); }
     // Pixels per window coordinate.
     float density() const;
-    // True while measuring holds the scene's time.
-    bool held() const { return memory_.accuracy_in_sight() && memory_.accuracy.hold_time; }
+    // True while measuring, or the dialog that saves pictures, holds the scene's time.
+    bool held() const { return memory_.picture.open || (memory_.accuracy_in_sight() && memory_.accuracy.hold_time); }
     // Advances the scene's time by the time since the last call, unless it is paused or `stopped`. Returns it, in
     // seconds.
     double time(bool stopped);

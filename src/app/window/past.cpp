@@ -30,6 +30,15 @@ bool same_values(const Controls& a, const Controls& b) {
     return a.rungs == b.rungs && ranges::equal(a.items, b.items, {}, &Control::value, &Control::value);
 }
 
+constexpr std::string_view fold_option = "--fold ";
+
+std::map<std::string, bool> folds_in(const Setup& setup) {
+    std::map<std::string, bool> folds;
+    for (const auto& [key, value] : setup)
+        if (key.starts_with(fold_option)) folds[key.substr(fold_option.size())] = value == "open";
+    return folds;
+}
+
 std::string object_key(unsigned index) { return fmt::format("{}object{}", view_option, index); }
 
 // Sets the view that was kept. Objects are found again by their names.
@@ -54,7 +63,7 @@ Remembered Past::read(const std::string& scene) {
     kept_ = read_kept(folder_, scene);
     Remembered values = kept_;
     for (Setup* setup : {&values.chosen, &values.written})
-        for (const std::string_view option : {view_option, axes_option}) erase(*setup, option);
+        for (const std::string_view option : {view_option, axes_option, fold_option}) erase(*setup, option);
     return values;
 }
 
@@ -62,6 +71,7 @@ std::string Past::begin(Session& session, View& view) {
     name_.clear();
     continued_ = false;
     moving_ = 0;
+    folds_ = folds_in(kept_.chosen);
     if (!session.document()) return {};
     const Document& document = *session.document();
     name_ = kept_name(session.path());
@@ -85,6 +95,7 @@ std::string Past::begin(Session& session, View& view) {
 
 void Past::continue_with(Session& session, const View& view) {
     name_.clear();
+    folds_ = folds_in(kept_.chosen);
     continued_ = !session.document();
     if (continued_) return;
     name_ = kept_name(session.path());
@@ -130,9 +141,8 @@ std::string Past::reread(Session& session, View& view, std::span<const Animated>
         return {};
     }
     changed_ = true;
-    if (const Document* document = session.document())
-        history().reread(document->scene(), document->controls, view, moving, session.followed());
-    return {};
+    const Document* const document = session.document();
+    return document ? history().reread(document->scene(), document->controls, view, moving, session.followed()) : "";
 }
 
 void Past::add(std::string what, std::vector<SavedFile> files, Session& session) {
@@ -161,6 +171,8 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
 Remembered Past::state(Session& session, const View& view, bool axes) const {
     Remembered kept = session.remembered();
     for (auto& [key, value] : setup_of(view)) kept.chosen[key] = value;
+    for (const auto& [section, open] : folds_)
+        kept.chosen[std::string(fold_option) + section] = open ? "open" : "folded";
     kept.chosen.erase(std::string(axes_option));
     if (axes) kept.chosen[std::string(axes_option)] = view.axes ? "on" : "off";
     const std::vector<std::string> names =
@@ -168,6 +180,11 @@ Remembered Past::state(Session& session, const View& view, bool axes) const {
     for (const auto& [index, transformation] : view.objects)
         if (index < names.size()) kept.written[object_key(index)] = utf8::printable(names[index]);
     return kept;
+}
+
+void Past::fold(const std::map<std::string, bool>& folds) {
+    changed_ |= folds != folds_;
+    folds_ = folds;
 }
 
 void Past::write(Session& session, const View& view) {

@@ -4,6 +4,7 @@
 #include <bitset>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 
@@ -42,8 +43,8 @@ public:
     void finish(Session& session, const View& view);
     // True if undo is to end the motion, because nothing else was changed since it began.
     bool undoes_motion() { return moving_ > 0 && steps() <= before_motion_; }
-    // Call it when the scene was read again. Returns what begin() does if the scene could not be read until now.
-    // `moving` is that of follow().
+    // Call it when the scene was read again. Returns what begin() does if the scene could not be read until now, and
+    // otherwise which of the user's values the text replaced. `moving` is that of follow().
     std::string reread(Session& session, View& view, std::span<const Animated> moving = {});
     // Makes a step of files that were just replaced. Values stay, whatever is changed until the files are read.
     void add(std::string what, std::vector<SavedFile> files, Session& session);
@@ -55,6 +56,9 @@ public:
     // The number of steps that can be undone.
     std::size_t steps() { return name_.empty() ? 0 : history().done(); }
 
+    // Which sections of the scene's programs the user has opened or folded: as they were last, and as they are now.
+    const std::map<std::string, bool>& folds() const { return folds_; }
+    void fold(const std::map<std::string, bool>& folds);
     // Writes what is kept of the scene, if it changed.
     void write(Session& session, const View& view);
     // Makes the scene that the document was saved as begin with this view, and with the values that are not in the
@@ -69,6 +73,7 @@ private:
     std::string folder_;
     std::string name_;  // of the open scene; empty until it could be read
     Remembered kept_;   // as read, then as written last
+    std::map<std::string, bool> folds_;
     Histories histories_;
     bool flat_ = false, axes_ = true, first_axes_ = true;  // axes_: as in the last scene that was not flat
     bool continued_ = false;                               // the scene, once it can be read, begins as the view is

@@ -178,11 +178,11 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
     restore(workspace_.settings(), options.scene, interface_.memory());
     interface_.memory().failures.scene = whole_path(options.scene);
     if (!carried) {
-        workspace_.begin(interface_.view(), interface_.memory().notice);
+        workspace_.begin(interface_.view(), interface_.memory());
         return;
     }
     interface_.view() = carried->view;
-    workspace_.continue_with(carried->view);
+    workspace_.continue_with(carried->view, interface_.memory());
     ui::Memory& memory = interface_.memory();
     memory.clock.time = carried->time;
     memory.failures = carried->failures;
@@ -465,7 +465,7 @@ void App::show_scene(const std::optional<std::string>& path) {
     }
     opened_at_ = kept_frame_ = display_.counters().frames;
     interface_.begin_scene(*path, workspace_.is_saved_as());
-    workspace_.begin(interface_.view(), interface_.memory().notice);
+    workspace_.begin(interface_.view(), interface_.memory());
     picking_ = {};
     measuring_.begin_scene(*path);
     settle(until_equal);

@@ -17,8 +17,8 @@ json rect_of(const ui::Rect& rect) { return json::array({rect.x, rect.y, rect.wi
 
 json controls_of(const Document& document) {
     json controls = json::object();
-    for (const Control& control : document.controls.items)
-        controls[document.scene().programs[control.program].name + "." + control.name] = control.value;
+    const std::vector<std::string> names = control_names(document.scene(), document.controls);
+    for (std::size_t i = 0; i < names.size(); ++i) controls[names[i]] = document.controls.items[i].value;
     return controls;
 }
 

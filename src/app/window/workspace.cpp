@@ -79,19 +79,30 @@ void Workspace::report() {
 
 void Workspace::reload(View& view, ui::Memory& memory) {
     const std::size_t before = session_.errors();
+    const std::vector<ProgramId> programs = document() ? program_ids(document()->scene()) : std::vector<ProgramId>{};
     session_.reload();
+    if (document()) carry_motions(carried_programs(programs, program_ids(document()->scene())), memory.animated);
     if (session_.errors() > before) memory.notice.clear();  // it is older than the edit
+    past_.fold(memory.folds);
     if (std::string said = past_.reread(session_, view, memory.animated); !said.empty())
         memory.notice = std::move(said);
+    memory.folds = past_.folds();
     report();
 }
 
-void Workspace::begin(View& view, std::string& notice) {
-    notice = past_.begin(session_, view);
-    if (std::string said = std::exchange(saved_as_, {}); !said.empty()) notice = std::move(said);
+void Workspace::begin(View& view, ui::Memory& memory) {
+    memory.notice = past_.begin(session_, view);
+    if (std::string said = std::exchange(saved_as_, {}); !said.empty()) memory.notice = std::move(said);
+    memory.folds = past_.folds();
+}
+
+void Workspace::continue_with(const View& view, ui::Memory& memory) {
+    past_.continue_with(session_, view);
+    memory.folds = past_.folds();
 }
 
 bool Workspace::look(const View& view, ui::Memory& memory) {
+    past_.fold(memory.folds);
     past_.write(session_, view);
     std::string said = pages_.look();
     const bool saved = !said.empty();

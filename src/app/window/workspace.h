@@ -45,11 +45,11 @@ public:
     // Shows another scene, as if the window had been opened with it. Returns "", or why the current scene stays. `view`
     // is that of the current scene.
     std::string open(const std::string& path, View& view);
-    // Begins with the view of the scene that was just opened, as it was last. Sets `notice` if anything is not as the
-    // scene says.
-    void begin(View& view, std::string& notice);
+    // Begins with the view and the folds of the scene that was just opened, as they were last. Sets the notice if
+    // anything is not as the scene says.
+    void begin(View& view, ui::Memory& memory);
     // The same for a window that continues another one, as it was.
-    void continue_with(const View& view) { past_.continue_with(session_, view); }
+    void continue_with(const View& view, ui::Memory& memory);
     // Call it before the scene is left: what is being changed becomes a step, which is kept. Files that were just saved
     // are read, unless the context is `lost`.
     void finish(View& view, bool lost = false);

@@ -48,6 +48,12 @@ void animate(Controls& controls, std::vector<Animated>& animated, double time) {
     }
 }
 
+void carry_motions(const std::vector<Index>& programs, std::vector<Animated>& animated) {
+    for (Animated& motion : animated)
+        motion.program = motion.program < programs.size() ? programs[motion.program] : none;
+    std::erase_if(animated, [](const Animated& motion) { return motion.program == none; });
+}
+
 Controls at_rest(Controls controls, std::span<const Animated> animated) {
     for (const Animated& motion : animated)
         if (Control* control = controls.find(motion.program, motion.name);

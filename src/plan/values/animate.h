@@ -29,6 +29,8 @@ Animated animated_from(const Control& control, std::size_t component, double per
                        bool logarithmic = false);
 // Sets the values of this time. Motions whose control does not exist any more end.
 void animate(Controls& controls, std::vector<Animated>& animated, double time);
+// Carries motions to the programs of another text, in which carried_programs() found these. Those of others end.
+void carry_motions(const std::vector<Index>& programs, std::vector<Animated>& animated);
 inline constexpr double shortest_period = .1, longest_period = 1e4;  // seconds that may be set
 // The value of this moment stays.
 void set_period(Animated& motion, double period, double time);

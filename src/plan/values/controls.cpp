@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_map>
+#include <utility>
 
 #include "parser/text/number.h"
 #include "parser/text/ranges.h"
@@ -472,19 +472,8 @@ bool same_uniforms(const Controls& a, const Controls& b) {
     });
 }
 
-std::size_t earlier_of_name(const Scene& scene, Index program) {
-    const auto end = scene.programs.begin() + static_cast<std::ptrdiff_t>(program);
-    return static_cast<std::size_t>(std::count_if(
-        scene.programs.begin(), end, [&](const Program& other) { return other.name == scene.programs[program].name; }));
-}
-
 std::vector<std::string> control_names(const Scene& scene, const Controls& controls) {
-    std::map<std::string_view, int> count;
-    std::vector<std::string> programs;
-    for (const Program& program : scene.programs) {
-        const int before = count[program.name]++;
-        programs.push_back(before == 0 ? program.name : fmt::format("{}#{}", program.name, before + 1));
-    }
+    const std::vector<std::string> programs = program_names(program_ids(scene));
     std::vector<std::string> names;
     names.reserve(controls.items.size());
     for (const Control& control : controls.items) names.push_back(programs[control.program] + "." + control.name);
@@ -508,11 +497,12 @@ void take_value(const Control& from, Control& control, Follow follow) {
 
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene) {
     carry_over(from.rungs, from_scene, to.rungs, to_scene);
-    const std::vector<std::string> old_names = control_names(from_scene, from), names = control_names(to_scene, to);
-    std::unordered_map<std::string_view, std::size_t> places;
-    for (std::size_t i = 0; i < old_names.size(); ++i) places.emplace(old_names[i], i);
+    std::map<std::pair<Index, std::string_view>, std::size_t> places;  // by their programs in the new scene
+    const std::vector<Index> programs = carried_programs(program_ids(from_scene), program_ids(to_scene));
+    for (std::size_t i = 0; i < from.items.size(); ++i)
+        places.emplace(std::pair(programs[from.items[i].program], std::string_view(from.items[i].name)), i);
     for (std::size_t i = 0; i < to.items.size(); ++i) {
-        const auto found = places.find(names[i]);
+        const auto found = places.find({to.items[i].program, to.items[i].name});
         if (found == places.end()) continue;
         const Control& old = from.items[found->second];
         Control& control = to.items[i];

@@ -10,6 +10,7 @@
 #include "parser/scene.h"
 #include "parser/text/diagnostic.h"
 #include "src/glsl/glsl.h"
+#include "src/plan/values/programs.h"
 #include "src/plan/values/rungs.h"
 
 namespace snell {
@@ -83,15 +84,13 @@ bool same_uniforms(const Controls& a, const Controls& b);
 // does not fit.
 bool set_control(Controls& controls, const Scene& scene, std::string_view assignment, Diagnostics& diagnostics);
 
-// Copies the values of `from` to every control that both have (same program name, name and type). `to` keeps its own
+// Copies the values of `from` to every control that both have (same program, name and type). `to` keeps its own
 // value if the scene's text changed it, and its own range unless a value outside of it needs the wider one of `from`.
 void carry_over(const Controls& from, const Scene& from_scene, Controls& to, const Scene& to_scene);
 
 // The name without [n] and members: what shaders declare.
 inline std::string_view base_name(std::string_view uniform) { return uniform.substr(0, uniform.find_first_of(".[")); }
 
-// The number of programs before it that have its name.
-std::size_t earlier_of_name(const Scene& scene, Index program);
 // "Glass.uEta" for each control, or "Glass#2.uEta" in the second program of that name.
 std::vector<std::string> control_names(const Scene& scene, const Controls& controls);
 

@@ -181,14 +181,13 @@ void explain_shader(const std::string& log, const glsl::StageOutput& stage, cons
                     const LinkRequest& request, Diagnostics& diagnostics) {
     const std::string whole = log_with_includes(stage);
     glsl::explain_log(with_limits(whole.empty() ? log : whole), translation, &stage, request.program.span,
-                      request.program.name, request.sources, diagnostics,
+                      request.called, request.sources, diagnostics,
                       whole.empty() ? glsl::Lines::numbered : glsl::Lines::unnumbered);
 }
 
 void explain_link(const std::string& log, const glsl::Translation& translation, const LinkRequest& request,
                   Diagnostics& diagnostics) {
-    glsl::explain_log(log, translation, nullptr, request.program.span, request.program.name, request.sources,
-                      diagnostics);
+    glsl::explain_log(log, translation, nullptr, request.program.span, request.called, request.sources, diagnostics);
 }
 
 // Returns null if a stage does not compile, or if the stages do not link.

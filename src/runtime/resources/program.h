@@ -129,6 +129,7 @@ struct LinkRequest {
     Counters& counters;
     glsl::Settler settle = nullptr;
     std::optional<glsl::Settled> constant = {};  // as glsl::Options
+    std::string called = {};                     // what messages call the program
 };
 
 GLenum gl_stage(Stage stage);

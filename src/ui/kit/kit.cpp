@@ -37,12 +37,13 @@ bool modal(const ImGuiPopupData& popup) { return !popup.Window || (popup.Window-
 
 // Closes drop-downs, menus and pickers at Escape, which then does nothing else, and at a click beside them, which then
 // acts where it lands, but for pickers: a colour is looked at in the picture. Dear ImGui itself would ignore the key
-// and swallow the click.
+// and swallow the click. A number that is being typed there has the key first, but not a field of text, which has the
+// keyboard as soon as its list opens.
 void close_popups() {
     ImGuiContext& g = *ImGui::GetCurrentContext();
     ImVector<ImGuiPopupData>& open = g.OpenPopupStack;
     if (open.empty()) return;
-    if (newly_down(Key::escape) && !g.IO.WantTextInput && !modal(open.back())) {
+    if (newly_down(Key::escape) && kit().typing.id == 0 && !modal(open.back())) {
         g.IO.KeysDown[static_cast<int>(Key::escape)] = false;
         return ImGui::ClosePopupToLevel(open.Size - 1, true);
     }

@@ -189,8 +189,15 @@ std::optional<SceneCard> first_card(const Facts& facts, const Listing& listing, 
     return std::nullopt;
 }
 
+// A row of the recent scenes, so that those of the folder are in sight; all where one is sought.
+std::span<const SceneCard> one_row(std::span<const SceneCard> scenes, const Browser& browser) {
+    const float room = ImGui::GetContentRegionAvail().x, width = card_width(), gap = card_pad();
+    const auto most = static_cast<std::size_t>(std::max(1.0F, std::floor((room + gap) / (width + gap))));
+    return browser.typed[0] != '\0' ? scenes : scenes.first(std::min(most, scenes.size()));
+}
+
 void start_page(const Facts& facts, const Listing& listing, Memory& memory, Requests& requests, Layout& layout) {
-    cards("Recent", "browser.recent", facts.recent, memory, requests, layout);
+    cards("Recent", "browser.recent", one_row(facts.recent, memory.browser), memory, requests, layout);
     cards("In the folder " + std::string(facts.new_folder), "browser.beside", scenes_in(listing), memory, requests,
           layout);
     new_scenes(facts, memory, layout);

@@ -23,6 +23,7 @@ struct SaveAsWords {
     const char *title, *label, *tip;
     std::string name;  // of the widgets
     const char* word = "Save";
+    const char* elsewhere = nullptr;  // what is said of a name with a folder, if anything
 };
 
 // A dialog in the middle of the screen, of that width in multiples of the text height.
@@ -78,7 +79,11 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     if (!dialog.folder.empty()) {
         const std::string_view name = dialog.file.data();
         const bool whole = name == "~" || name.starts_with("~/") || name.starts_with('/');  // it says which folder
-        fitted(whole ? "" : "in " + dialog.folder, ImGui::GetContentRegionAvail().x, true);
+        const bool elsewhere = words.elsewhere && (whole || name.find('/') != name.npos);
+        fitted(elsewhere ? words.elsewhere
+               : whole   ? ""
+                         : "in " + dialog.folder,
+               ImGui::GetContentRegionAvail().x, true);
         if (!whole) layout.note(words.name + " folder");
     }
     ImGui::Spacing();
@@ -104,8 +109,12 @@ void open_save_as(SaveAs& dialog, const std::string& name, std::string folder) {
 }
 
 void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
-    static const SaveAsWords scene{"Save scene as", "Save the scene with these values as",
-                                   "In the scene's folder, where the scene finds its files", "save as"};
+    static const SaveAsWords scene{"Save scene as",
+                                   "Save the scene with these values as",
+                                   "In the scene's folder, where the scene finds its files, or with another folder",
+                                   "save as",
+                                   "Save",
+                                   "with the files that the scene would not find there"};
     static const SaveAsWords page{"Save page", "Save a page for browsers, with these values, as",
                                   "One file that holds all files of the scene.\nRelative to the scene's folder",
                                   "save page"};
@@ -168,7 +177,12 @@ void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     layout.note("picture transparent");
 }
 
-void sequence_rows(PictureMemory& picture, Layout& layout) {
+void sequence_rows(PictureMemory& picture, double time, Layout& layout) {
+    if (!picture.sequence) {
+        row("Time", "Time stands while this dialog is open");
+        wrapped(fmt::format("{:.2f} s, as the window shows it", time));
+        layout.note("picture time");
+    }
     row("Sequence", "numbered pictures of a time span");
     switch_box("##sequence", picture.sequence);
     layout.note("picture sequence");
@@ -244,7 +258,7 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())
-        sequence_rows(picture, layout);
+        sequence_rows(picture, memory.clock.time, layout);
     else
         picture.sequence = false;
     ImGui::EndDisabled();

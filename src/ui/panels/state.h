@@ -204,6 +204,8 @@ struct Memory {
     float zoom = 1;             // factor for text and widgets, in addition to the screen's
     LettersMemory letters;
     Titles open;  // titles of the open sections
+    // Sections of the scene's programs that the user has opened (true) or folded, by what tells them apart.
+    std::map<std::string, bool> folds;
     bool warnings_open = false;
     bool problems_hidden = false;
     float problems_height = usual_problems;  // of the list, as a part of the picture's height

@@ -25,6 +25,24 @@ TEST_F(Past, AxesAreOffForAFlatPictureAndAsTheyWereLeft) {
     EXPECT_EQ(state()["view"]["axes"], false);
 }
 
+// It is written while the window is open, which may end in any way.
+TEST_F(Past, AFoldedProgramIsFoldedWhenTheSceneIsOpenedAgain) {
+    open("one.glib");
+    ASSERT_TRUE(state()["widgets"].contains("Paint.uRed"));
+    click("Paint");
+    EXPECT_FALSE(state()["widgets"].contains("Paint.uRed"));
+    ASSERT_TRUE(
+        wait([&](const json&) { return shell("grep -q -- '^--fold Paint#0=folded$' state/snell/scenes/*.txt") == 0; }));
+    show("two.glib");
+    EXPECT_TRUE(state()["widgets"].contains("Paint.uRed")) << "of another scene";
+    end_window();
+    open("one.glib");
+    EXPECT_FALSE(state()["widgets"].contains("Paint.uRed"));
+    EXPECT_EQ(notice(), "") << "nothing else is as it was last";
+    click("Paint");
+    EXPECT_TRUE(state()["widgets"].contains("Paint.uRed"));
+}
+
 TEST_F(Past, AClosedSceneIsAsItWasWhenItIsOpenedAgain) {
     open("one.glib");
     slide(.75);
@@ -258,15 +276,23 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     std::filesystem::create_directory(file("other"));
     user("key ctrl+a");
     user("type --delay 8 other/three");
+    save("other/paint.frag", "another one\n");
     press("Return");
-    EXPECT_TRUE(state()["widgets"].contains("save as error")) << "its shaders are not there";
+    EXPECT_TRUE(state()["widgets"].contains("save as error")) << "it would be replaced";
     EXPECT_EQ(notice(), "");
     type("save as file", ".", Field::text);
     EXPECT_TRUE(state()["widgets"].contains("save as error")) << "no name";
     EXPECT_FALSE(std::filesystem::exists(file("..glib")));
     EXPECT_FALSE(std::filesystem::exists(file("other/three.glib")));
-    press("Escape");
-    EXPECT_FALSE(state()["widgets"].contains("save as save"));
+    std::filesystem::remove(file("other/paint.frag"));
+    type("save as file", "other/three", Field::text);
+    ASSERT_TRUE(wait([&](const json& s) { return s["file"] == file("other/three.glib"); }));
+    settle();
+    EXPECT_EQ(notice(), "saved as three.glib with its 2 files");
+    EXPECT_EQ(state()["errors"], 0);
+    EXPECT_EQ(red(), slid);
+    EXPECT_EQ(bytes("other/paint.frag"), bytes("paint.frag"));
+    EXPECT_EQ(bytes("other/three.snapshots.json"), bytes("two.snapshots.json"));
 }
 
 TEST_F(Past, ARevertedSaveIsRememberedWhenAnotherSceneIsShown) {

@@ -1,4 +1,6 @@
 // Undo and redo, and values of what is gone for a while.
+#include <fmt/format.h>
+
 #include "tests/gui/history/past.h"
 
 namespace snell::test {
@@ -50,6 +52,59 @@ TEST_F(Past, EveryChangeIsUndoneAndTheFirstPictureIsBackToTheBit) {
     EXPECT_EQ(red(), slid);
     press("ctrl+shift+z");
     EXPECT_NE(state()["controls"]["Paint.uGreen"][0], .4);
+}
+
+TEST_F(Past, ProgramsOfOneNameKeepTheirOwnValuesAndSnapshots) {
+    const std::string begin = "Perspective 50\nLookAt 0 0 4  0 0 0  0 1 0\nBackground 0 0 0\nVertex paint.vert\n",
+                      rest = " uRed <0. .2 1.>\nQuadXY 0. 1. 2 2\n",
+                      first = "Fragment paint.frag\nProgram Paint" + rest,
+                      second = "Fragment other.frag\nProgram Paint" + rest;
+    for (const char* name : {"paint.frag", "other.frag"})
+        save(name,
+             "#version 330 compatibility\nuniform float uRed;\nvoid main() { gl_FragColor = vec4(uRed, .4, 0., "
+             "1.); }\n");
+    save("one.glib", begin + first + second);
+    share("one.glib");
+    const auto value = [&](const char* name) { return state()["controls"][name][0].get<double>(); };
+    type("Paint.uRed", ".75", Field::number);  // both have that name as widgets; this is the second
+    ASSERT_EQ(value("Paint#2.uRed"), .75);
+    press("ctrl+1");
+    save("one.glib", begin + second);
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 1); }));
+    settle();
+    EXPECT_EQ(value("Paint.uRed"), .75);
+    type("Paint.uRed", ".5", Field::number);
+    press("1");
+    EXPECT_EQ(value("Paint.uRed"), .75) << "the snapshot's of the second";
+    EXPECT_EQ(notice(), "snapshot 1; 1 value left out: not in this scene");
+    save("one.glib", begin + second + first);
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 2); }));
+    settle();
+    EXPECT_EQ(value("Paint.uRed"), .75);
+    EXPECT_EQ(value("Paint#2.uRed"), .2);
+    animate("uRed");
+    ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint#2.uRed"][0] > .3; }));
+    save("one.glib", begin + first);
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 3); }));
+    const double moving = value("Paint.uRed");
+    EXPECT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] != moving; })) << "it moves still";
+}
+
+TEST_F(Past, AValueThatAnEditReplacedComesBack) {
+    share("one.glib");
+    slide(.75);
+    const double slid = red();
+    std::string text = bytes("one.glib");
+    save("one.glib", text.replace(text.find(".4 1.>"), 6, ".5 1.>"));
+    ASSERT_TRUE(wait([&](const json& s) { return read(s, 1); }));
+    EXPECT_EQ(red(), slid) << "of another number";
+    save("one.glib", text.replace(text.find(".2 1.>"), 6, ".3 1.>"));
+    ASSERT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] == .3; }));
+    settle();
+    EXPECT_EQ(notice(), fmt::format("Paint.uRed {:.6g} was replaced by the file's 0.3; Ctrl+Z brings it back", slid));
+    press("ctrl+z");
+    EXPECT_EQ(red(), slid);
+    EXPECT_EQ(notice(), fmt::format("undo: Paint.uRed 0.3 \u2192 {:.6g}", slid));
 }
 
 TEST_F(Past, ARangeThatATypedValueWidenedIsUndoneWithIt) {

@@ -60,6 +60,15 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     const std::string last = name.substr(name.rfind('/') + 1);
     if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
     SavedAs saved = saved_as(document, name, memory.animated);
+    const std::filesystem::path to = saved.file.path;
+    std::size_t copied = 0;
+    if (saved.lacks) {  // from there the scene would not find its files: they go with it
+        const app::WrittenCopy copy = app::write_copy(document.path, document.files->access(), saved.texts,
+                                                      to.parent_path().string(), to.filename().string());
+        saved.error = copy.error;
+        saved.file.path = copy.scene;
+        copied = copy.files.size();
+    }
     // Its snapshots have that name, too, in place of those that were there.
     const std::string snapshots = content::whole_file(snapshots_file(document.path)),
                       others = snapshots_file(saved.file.path), there = content::whole_file(others);
@@ -67,14 +76,17 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     const std::string existing = !replaces      ? saved.file.path
                                  : saved.exists ? saved.file.path + " with its snapshots"
                                                 : others;
-    if (!ui::confirmed(dialog, saved.error.empty() && (saved.exists || replaces), existing)) return;
-    if (saved.error.empty() && carries) saved.error = content::replace_file(others, snapshots);
-    if (saved.error.empty()) saved.error = content::replace_file(saved.file.path, saved.file.after);
+    const bool asks = copied == 0 && saved.error.empty() && (saved.exists || replaces);
+    if (!ui::confirmed(dialog, asks, existing)) return;
+    if (saved.error.empty() && carries && !(copied > 0 && replaces))
+        saved.error = content::replace_file(others, snapshots);
+    if (saved.error.empty() && copied == 0) saved.error = content::replace_file(saved.file.path, saved.file.after);
     dialog.error = std::move(saved.error);
     if (!dialog.error.empty()) return;
     dialog.open = false;
     memory.failures.done(Remedy::save);
-    served.as = "saved as " + printable_name(saved.file.path) + left_out(saved.moving);
+    const std::string with = copied > 1 ? fmt::format(" with its {}", counted(copied - 1, "file")) : "";
+    served.as = "saved as " + printable_name(saved.file.path) + with + left_out(saved.moving);
     served.saved_as = saved.file.path;
 }
 
