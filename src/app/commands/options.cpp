@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 bool parse_size(const std::string& text, std::pair<int, int>& size) {
     int end = 0;
-    return std::sscanf(text.c_str(), "%5dx%5d%n", &size.first, &size.second, &end) == 2 &&
+    return std::sscanf(text.c_str(), "%9dx%9d%n", &size.first, &size.second, &end) == 2 &&
            static_cast<size_t>(end) == text.size() && size.first > 0 && size.second > 0;
 }
 

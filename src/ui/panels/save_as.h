@@ -44,10 +44,13 @@ struct PictureMemory : SaveAs {
     double from = 0, to = 10, rate = 25;
     std::string names;               // of the first pictures of a sequence; empty if they are not known
     std::optional<double> progress;  // 0 to 1 while pictures are being saved
+    double largest = 1, most = 1;    // pixels along a side, and pictures of a sequence, that can be asked for
 };
 
 // The number of pictures of a sequence; picture k is at time from + k / rate.
 int picture_count(const PictureMemory& picture);
+// Why there is no such sequence; "" if there is one.
+std::string sequence_problem(const PictureMemory& picture);
 
 enum class PictureRequest : unsigned char { none, open, save, command, stop };
 
