@@ -132,6 +132,24 @@ TEST_F(SmallestWindow, NoticesWithoutRoomAreCounted) {
     if (!screens_folder().empty()) keep_picture("three-notices-420x320-largest-light");
 }
 
+// What a notice offers is above the one below it.
+TEST_F(SmallestWindow, NoticesAreSeenWholeOrCountedInLargerOnes) {
+    everything();
+    for (const float height : {640.F, 720.F, 800.F, 900.F, 1000.F, 1080.F, 1200.F}) {
+        SCOPED_TRACE(height);
+        screen_ = {1920, height, 1, 2, Theme::light};
+        settle();
+        EXPECT_TRUE(has("failure.more"));
+        for (int number = 3; number >= 2; --number) {
+            const std::string name = fmt::format("failure {}", number);
+            const std::string below = number > 2 ? "failure 2.ok" : "failure.ok";
+            if (!has(name + ".ok")) continue;
+            const Rect again = place(name + ".again");
+            EXPECT_LT(again.y + again.height, place(below).y - ImGui::GetStyle().WindowPadding.y) << name;
+        }
+    }
+}
+
 TEST_F(SmallestWindow, TheFieldForANameIsSeenWhole) {
     screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
     browser();
