@@ -401,7 +401,8 @@ void Failures::rewrite(const std::function<std::string(const std::string& text)>
 }
 
 void Failures::enter(const std::string& other) {
-    std::erase_if(open, [](const Failure& failure) { return failure.remedy == Remedy::open; });
+    std::erase_if(
+        open, [](const Failure& failure) { return failure.remedy == Remedy::open || failure.remedy == Remedy::sharp; });
     const auto of_scene = std::stable_partition(open.begin(), open.end(), [](const Failure& failure) {
         return failure.remedy == Remedy::none || failure.remedy == Remedy::page || failure.remedy == Remedy::editor;
     });

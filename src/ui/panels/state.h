@@ -135,8 +135,22 @@ struct Failure {
     // the same of values that have no place in the text, until it has. editor: none
     // opens, until one does. store: the same snapshot again, with the values of then; recall: the same; both until that
     // succeeds. absent: there is no such snapshot, until one is stored. page: nothing, until a page is saved. open:
-    // another scene, with the name that was refused in the field.
-    enum class Remedy : std::uint8_t { none, reload, save, save_as, add, editor, store, recall, absent, page, open };
+    // another scene, with the name that was refused in the field. sharp: nothing; the picture stays coarse, until
+    // another one is begun.
+    enum class Remedy : std::uint8_t {
+        none,
+        reload,
+        save,
+        save_as,
+        add,
+        editor,
+        store,
+        recall,
+        absent,
+        page,
+        open,
+        sharp
+    };
     std::string text;
     Remedy remedy = Remedy::none;
     Place place = {};   // where the editor was to open; the file that could not be opened
