@@ -32,7 +32,7 @@ bool parse_size(const std::string& text, std::pair<int, int>& size) {
 
 std::string check_size(const std::string& text) {
     std::pair<int, int> size;
-    return parse_size(text, size) ? "" : "'" + text + "' is not WIDTHxHEIGHT, such as 800x600";
+    return parse_size(text, size) ? "" : "'" + text + "' is not WIDTHxHEIGHT in whole pixels, such as 800x600";
 }
 
 std::string check_limit(const std::string& text) {
