@@ -314,8 +314,10 @@ void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout
         if (no_scene_words(layout)) open_browser({}, memory, requests);
         return;
     }
-    if (!facts.scene)
-        return wrapped(no_scene_open(facts) ? "no scene" : fmt::format("{} is not drawn", facts.file), true);
+    if (!facts.scene) {
+        wrapped(no_scene_open(facts) ? "no scene" : fmt::format("{} is not drawn", facts.file), true);
+        return layout.note("not drawn", facts.file);
+    }
     ladders_panel(facts, controls, layout);
     programs_panel(facts, controls, memory, layout);
 }

@@ -133,6 +133,7 @@ TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }));
     EXPECT_TRUE(alive());
     EXPECT_TRUE(says("a frame of scene.glib took too long and was stopped;"));
+    EXPECT_TRUE(state()["widgets"].contains("not drawn.scene.glib")) << state()["widgets"];
     user("key F5");
     EXPECT_TRUE(says("a frame of scene.glib took too long in try 2 and was stopped;"));
     EXPECT_EQ(restarts(), 2U);

@@ -150,6 +150,29 @@ TEST_F(SmallestWindow, NoticesAreSeenWholeOrCountedInLargerOnes) {
     }
 }
 
+TEST_F(SmallestWindow, OfANoticeTwoLinesAreSeen) {
+    failures();
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    settle();
+    EXPECT_GE(place("failure.again").y - place("failure.ok").y, 2 * ImGui::GetTextLineHeight());
+    EXPECT_TRUE(visible("failure.more"));
+    EXPECT_TRUE(visible("menu.open")) << "the panel";
+}
+
+TEST_F(SmallestWindow, WhatIsWaitedForIsSeenWhole) {
+    for (const float scale : {2.F, fitting_scale(3, 420)}) {
+        first_picture();
+        facts_.file = "refraction-room.glib";
+        screen_ = {420, 320, 1, scale, Theme::light};
+        settle();
+        const Rect box = place("first picture");
+        const float em = ImGui::GetFontSize();
+        const float all = ImGui::CalcTextSize("Drawing the first picture of refraction-room.glib, for 60 s at most").x;
+        EXPECT_GE((box.width - 2 * em) * (box.height - em) / ImGui::GetTextLineHeight(), all) << scale;
+        EXPECT_TRUE(box.x >= 0 && box.x + box.width <= 420 && box.y >= 0 && box.y + box.height <= 320) << scale;
+    }
+}
+
 TEST_F(SmallestWindow, TheFieldForANameIsSeenWhole) {
     screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
     browser();

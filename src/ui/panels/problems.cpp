@@ -445,7 +445,7 @@ float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& re
     // Where they need the panel's room, some of the panel is seen above them. One of them is seen in any case, but
     // where errors need that room as well: these are read, and hidden, first.
     const bool narrow = !has_room(free);
-    if (narrow) scene.y += .4F * scene.height;
+    if (narrow) scene.y += scene.height / 4;
     if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 8 * ImGui::GetFontSize()));
     float bottom = first;
     int index = 0;
