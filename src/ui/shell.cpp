@@ -45,7 +45,12 @@ Text label_of(const Scene& scene, const Control& control) {
 
 std::string cut_name(const std::string& label, std::size_t columns) {
     const std::size_t equals = std::min(label.find(" = "), label.size());
-    const std::string value = label.substr(equals);
+    std::string value;
+    for (std::size_t i = equals; i < label.size(); ++i)
+        if (label[i] != ' ' || value.empty() || value.back() != ' ') value += label[i];
+    if (equals + value.size() <= columns) return label.substr(0, equals) + value;
+    constexpr std::size_t least = 6;
+    if (value.size() + 1 > columns && columns >= least) value = value.substr(0, columns - 2) + "\u2026";
     const std::size_t kept = std::min(equals, columns > value.size() + 1 ? columns - value.size() - 1 : 0);
     const auto inside = [&](std::size_t at) { return at < equals && (label[at] & 0xC0) == 0x80; };
     std::size_t head = (kept + 1) / 2, tail = equals - kept / 2;

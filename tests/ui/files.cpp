@@ -408,7 +408,11 @@ TEST(Excerpts, KeepTheCaretsUnderWhatTheyMean) {
 }
 
 TEST(Labels, OfALongOneTheNameGivesWay) {
-    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass \u2026Index =     1.1000");
+    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass : \u2026veIndex = 1.1000");
+    EXPECT_EQ(cut_name("Glass : uEta =     1.1000", 24), "Glass : uEta = 1.1000");
+    EXPECT_EQ(cut_name("Glass : uEta =     1.1000", 14), "Gl\u2026ta = 1.1000");
+    EXPECT_EQ(cut_name("Glass : uEta = -123456.7890", 12), "\u2026 = -123456\u2026") << "that more follows is seen";
+    EXPECT_EQ(cut_name("Glass : uC =     0.250,     0.500", 18), "G\u2026C = 0.250, 0.500");
     EXPECT_EQ(cut_name("a = 1", 2), "\u2026 = 1");
 }
 
