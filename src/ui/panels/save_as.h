@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -44,7 +45,8 @@ struct PictureMemory : SaveAs {
     double from = 0, to = 10, rate = 25;
     std::string names;               // of the first pictures of a sequence; empty if they are not known
     std::optional<double> progress;  // 0 to 1 while pictures are being saved
-    double largest = 1, most = 1;    // pixels along a side, and pictures of a sequence, that can be asked for
+    // What can be asked for: pixels along a side, pictures of a sequence.
+    double largest = std::numeric_limits<double>::infinity(), most = 1;
 };
 
 // The number of pictures of a sequence; picture k is at time from + k / rate.
