@@ -206,7 +206,7 @@ const Panel panels[] = {
     {"states-and-a-notice", "failure.store", &Screens::states_and_a_notice},
     {"costs", "costs.Images", &Screens::costs},
     {"files", "file.room.glib", &Screens::files},
-    {"window", "larger", &Screens::window},
+    {"window", "letters", &Screens::window},
     {"browser", "browser.entry.scene1.glib", &Screens::browser},
     {"refused-folder", "browser.cancel", &Screens::refused_folder},
     {"view", "background", &Screens::view},

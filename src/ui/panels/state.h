@@ -192,13 +192,6 @@ struct NoticeMemory {
     bool early_key = false;  // the same of a key that is pressed in this frame, for the notice that is being drawn
 };
 
-// The button that changed the size of letters last.
-struct LettersMemory {
-    int step = 0;
-    Point at;            // the pointer then
-    bool fresh = false;  // it was pressed by the mouse in this frame
-};
-
 // Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys
 // that it shows was pressed.
 enum class Menu : std::uint8_t { none, open, closing };
@@ -213,7 +206,6 @@ struct Memory {
     Theme theme = Theme::light;
     bool always_sharp = false;  // pictures are not drawn coarser while something is dragged
     float zoom = 1;             // factor for text and widgets, in addition to the screen's
-    LettersMemory letters;
     Titles open;  // titles of the open sections
     bool warnings_open = false;
     bool problems_hidden = false;
