@@ -206,7 +206,7 @@ struct Memory {
     Theme theme = Theme::light;
     bool always_sharp = false;  // pictures are not drawn coarser while something is dragged
     float zoom = 1;             // factor for text and widgets, in addition to the screen's
-    Titles open;  // titles of the open sections
+    Titles open;                // titles of the open sections
     bool warnings_open = false;
     bool problems_hidden = false;
     float problems_height = usual_problems;  // of the list, as a part of the picture's height
