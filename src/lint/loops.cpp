@@ -80,12 +80,13 @@ bool Walker::stored(int variable, int node) const {
     return found;
 }
 
-// What each round does with the variable, in order; nullopt: it is not known.
-std::optional<std::vector<glsl::Update>> Walker::updates_of(int variable, const Loop& loop) const {
+// What each round does with the variable, in order, a slider's step where it is shortest; nullopt: it is not known.
+std::optional<std::vector<glsl::Update>> Walker::updates_of(int variable, const Loop& loop) {
     if (unstable_.contains(variable)) return std::nullopt;
     std::vector<Update> updates;
     const auto add = [&](int node, int expression) {
-        const auto update = expression < 0 ? std::nullopt : update_of(u_, variable, expression);
+        auto update = expression < 0 ? std::nullopt : update_of(u_, variable, expression);
+        if (update && update->amount >= 0 && !take_shortest(*update, variable, loop)) update.reset();
         if (!update && stored(variable, node)) return false;
         if (update) updates.push_back(*update);
         return true;
@@ -99,6 +100,18 @@ std::optional<std::vector<glsl::Update>> Walker::updates_of(int variable, const 
         if (at(k).form == Form::jump && at(k).text == "continue") return std::nullopt;
     if (loop.step >= 0 && !add(loop.step, loop.step)) return std::nullopt;
     return updates;
+}
+
+// The amount stays one where a slider may set others. False: it is not known.
+bool Walker::take_shortest(Update& update, int variable, const Loop& loop) {
+    for (int k = at(update.amount).begin; k <= update.amount; ++k)
+        if (at(k).variable == variable) return false;
+    if (moves(update.amount, loop)) return false;
+    const Range step = evaluate(update.amount).v.range;
+    if (!step.real_lo || !step.real_hi) return false;
+    update.by = step.lo <= 0 && step.hi >= 0 ? 0 : step.lo > 0 ? step.lo : step.hi;
+    if (step == exactly(step.lo)) update.amount = -1;
+    return true;
 }
 
 bool holds(double left, std::string_view op, double right) {
@@ -159,6 +172,8 @@ double Walker::rounds_of(const Loop& loop) {
     if (base == glsl::Base::uinteger && op == ">=" && bound.range == exactly(0)) return endless;
     const Range& from = slot(variable).value.range;
     const bool exact = from == exactly(from.lo) && bound.range == exactly(bound.range.lo);
+    const bool slides = ranges::any_of(*updates, [](const Update& update) { return update.amount >= 0; });
+    slides_ = slides_ || slides;
     const double counted = exact ? counted_rounds(from.lo, op, bound.range.lo, *updates, base) : very_many;
     if (counted != very_many) return counted;
     double step = 0;

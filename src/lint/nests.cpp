@@ -69,7 +69,8 @@ std::optional<double> Walker::rounds_in(Counter& own, const Loop& loop) {
     }
     const auto low = summed(0, own, needed, false), high = summed(0, own, needed, true);
     if (!low || !high) return std::nullopt;
-    slides_ = slides_ || *low != *high;
+    const auto slides = [](const Update& update) { return update.amount >= 0; };
+    slides_ = slides_ || *low != *high || ranges::any_of(own.updates, slides);
     return weight_ > 0 ? std::max(*low, *high) / weight_ : 0;
 }
 

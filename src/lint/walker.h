@@ -176,7 +176,8 @@ private:
     struct Loop {
         int condition, step, body;  // nodes; step: of `for`; -1: the body steps
     };
-    std::optional<std::vector<Update>> updates_of(int variable, const Loop& loop) const;
+    std::optional<std::vector<Update>> updates_of(int variable, const Loop& loop);
+    bool take_shortest(Update& update, int variable, const Loop& loop);
     static double counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
                                  glsl::Base base);
     bool stays_true(const Loop& loop);

@@ -30,7 +30,19 @@ void each_bound(const Programs& programs, Values& values, const Each& each) {
     each_loops(programs, [&](Index program, const glsl::LongLoops& loops) {
         for (const std::string& name : loops.bounds)
             if (auto* control = values.find(program, name))
-                for (auto& value : control->value) each(value, loops.up_to);
+                for (auto& value : control->value) each(program, value, loops.up_to);
+    });
+}
+
+// Calls `each` for the programs whose loops are not short with these values, with how many times larger these are than
+// those with which they are; 1 if nobody knows.
+template <class Programs, class Each>
+void each_long(const Programs& programs, const Controls& values, const Each& each) {
+    each_loops(programs, [&](Index program, const glsl::LongLoops& loops) {
+        if (loops.up_to < 0) each(program, 1.);
+    });
+    each_bound(programs, values, [&](Index program, double value, double up_to) {
+        if (!(std::abs(value) <= up_to)) each(program, std::isnan(value) ? 1 : std::abs(value) / up_to);
     });
 }
 
@@ -89,11 +101,13 @@ bool Runtime::timed() const { return impl_->timed; }
 bool Runtime::uses_mouse() const { return impl_->mouse; }
 double Runtime::long_loops(const Controls& values) const {
     double most = 0;
-    each_loops(impl_->programs, [&](Index, const glsl::LongLoops& loops) { most = loops.up_to < 0 ? 1 : most; });
-    each_bound(impl_->programs, values, [&](double value, double up_to) {
-        if (!(std::abs(value) <= up_to)) most = std::max(most, std::isnan(value) ? 1 : std::abs(value) / up_to);
-    });
+    each_long(impl_->programs, values, [&](Index, double times) { most = std::max(most, times); });
     return most;
+}
+Index Runtime::long_program(const Controls& values) const {
+    Index first = none;
+    each_long(impl_->programs, values, [&](Index program, double) { first = std::min(first, program); });
+    return first;
 }
 bool Runtime::may_have_long_loops() const {
     bool may = false;
@@ -102,7 +116,7 @@ bool Runtime::may_have_long_loops() const {
 }
 void Runtime::shorten_loops(Controls& values, double times) const {
     each_bound(impl_->programs, values,
-               [&](double& value, double up_to) { value = std::clamp(value, -times * up_to, times * up_to); });
+               [&](Index, double& value, double up_to) { value = std::clamp(value, -times * up_to, times * up_to); });
 }
 bool Runtime::sampled(Index texture) const {
     return impl_->textures.asked(texture) || impl_->dormant_textures.contains(impl_->textures.first(texture));

@@ -116,6 +116,8 @@ public:
     // How many times larger the values are than those with which all loops are short: 0 if they are short; at least 1
     // if nobody knows.
     double long_loops(const Controls& values) const;
+    // The first program (Scene::programs) whose loops are not short with these values; none: there is none.
+    Index long_program(const Controls& values) const;
     // Makes the values that bound loops at most so many times larger than those.
     void shorten_loops(Controls& values, double times) const;
     // Something that is drawn reads the texture (Scene::textures), directly or by what is computed from it.

@@ -44,7 +44,12 @@ Text label_of(const Scene& scene, const Control& control) {
 
 std::string cut_name(const std::string& label, std::size_t columns) {
     const std::size_t equals = std::min(label.find(" = "), label.size());
-    const std::string value = label.substr(equals);
+    std::string value;
+    for (std::size_t i = equals; i < label.size(); ++i)
+        if (label[i] != ' ' || value.empty() || value.back() != ' ') value += label[i];
+    if (equals + value.size() <= columns) return label.substr(0, equals) + value;
+    constexpr std::size_t least = 6;
+    if (value.size() + 1 > columns && columns >= least) value = value.substr(0, columns - 2) + "\u2026";
     const std::size_t kept = std::min(equals, columns > value.size() + 1 ? columns - value.size() - 1 : 0);
     const auto inside = [&](std::size_t at) { return at < equals && (label[at] & 0xC0) == 0x80; };
     std::size_t head = (kept + 1) / 2, tail = equals - kept / 2;
@@ -313,7 +318,10 @@ void controls_tab(const Facts& facts, Controls& controls, Memory& memory, Layout
         if (no_scene_words(layout)) open_browser({}, memory, requests);
         return;
     }
-    if (!facts.scene) return ImGui::TextDisabled("no scene");
+    if (!facts.scene) {
+        wrapped(no_scene_open(facts) ? "no scene" : fmt::format("{} is not drawn", facts.file), true);
+        return layout.note("not drawn", facts.file);
+    }
     ladders_panel(facts, controls, layout);
     programs_panel(facts, controls, memory, layout);
 }
@@ -410,6 +418,31 @@ void hint(const Rect& scene, Memory& memory, Layout& layout) {
     layout.place("hint", {at.x, at.y, size.x, size.y});
 }
 
+// What lies over the picture: errors, legends, what there is instead of a picture, the names of two states, and what
+// could not be done. Returns where the names begin.
+float over_picture(const Facts& facts, const Rect& scene, const Fonts& fonts, Memory& memory, Requests& requests,
+                   Layout& layout) {
+    // Where notices and the names of the states need the panel's room, failures are answered first, so that some of the
+    // panel is seen; errors are still counted below.
+    const bool failed = !has_room(scene) && !memory.failures.open.empty();
+    float begin = failed ? scene.y : problems_panel(facts, scene, fonts, memory, requests, layout);
+    // Where both need the panel's room, errors go first.
+    if (memory.panel && (begin <= scene.y || has_room(scene)))
+        begin = flags_legend(facts, {scene.x, begin, scene.width, scene.height - begin}, memory.pixels, layout);
+    if (no_scene_open(facts) && !memory.browser.open && has_room(scene, words_room) && no_scene(scene, layout))
+        open_browser({}, memory, requests);
+    first_picture(facts, scene, layout);
+    blank_halves(facts, scene, memory.accuracy);
+    if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
+        accuracy_divider(scene, memory.accuracy, layout);
+    const float end = failed ? scene.y + scene.height : state_bar(facts, scene, memory.accuracy, layout);
+    const float first = notices(facts, {scene.x, begin, scene.width, end - begin}, memory, requests, layout);
+    const bool shares = memory.panel && !has_room(scene);
+    memory.above = shares ? begin : 0;
+    memory.below = shares && first < scene.height ? ImGui::GetIO().DisplaySize.y - first : 0;
+    return end;
+}
+
 }  // namespace
 
 float fitting_scale(float wanted, float width) {
@@ -447,28 +480,7 @@ Requests shell(const Facts& facts, Controls& controls, View& view, Memory& memor
         status_line(facts, parts.status, memory, layout);
         if (memory.labels) value_labels(facts, controls, parts.scene, fonts);
     }
-    // Where notices and the names of the states need the panel's room, failures are answered first, so that some of the
-    // panel is seen; errors are still counted below.
-    const bool failed = !has_room(parts.scene) && !memory.failures.open.empty();
-    float begin = failed ? parts.scene.y : problems_panel(facts, parts.scene, fonts, memory, requests, layout);
-    // Where both need the panel's room, errors go first.
-    if (memory.panel && (begin <= parts.scene.y || has_room(parts.scene)))
-        begin = flags_legend(facts, {parts.scene.x, begin, parts.scene.width, parts.scene.height - begin},
-                             memory.pixels, layout);
-    if (no_scene_open(facts) && !memory.browser.open && has_room(parts.scene, words_room) &&
-        no_scene(parts.scene, layout))
-        open_browser({}, memory, requests);
-    first_picture(facts, parts.scene, layout);
-    blank_halves(facts, parts.scene, memory.accuracy);
-    if (facts.states && memory.accuracy.show == AccuracyMemory::Show::split)
-        accuracy_divider(parts.scene, memory.accuracy, layout);
-    const float end =
-        failed ? parts.scene.y + parts.scene.height : state_bar(facts, parts.scene, memory.accuracy, layout);
-    const float first =
-        notices(facts, {parts.scene.x, begin, parts.scene.width, end - begin}, memory, requests, layout);
-    const bool shares = memory.panel && !has_room(parts.scene);
-    memory.above = shares ? begin : 0;
-    memory.below = shares && first < parts.scene.height ? ImGui::GetIO().DisplaySize.y - first : 0;
+    const float end = over_picture(facts, parts.scene, fonts, memory, requests, layout);
     pixel_keys(parts.scene, memory.pixels);
     inspector(facts, parts.scene, memory.pixels, fonts, layout);
     texel_inspector(facts, memory.textures, fonts, layout);

@@ -26,7 +26,8 @@ void hold_scene(const Facts& facts, const Rect& scene, View& view, HoldMemory& h
 // Draws a line for each slider, check box and colour, in the order of the Program lines, at the lower left of `scene`.
 void value_labels(const Facts& facts, const Controls& controls, const Rect& scene, const Fonts& fonts);
 
-// Shortens a label to that many columns, by cutting the middle of the name and keeping the value.
+// Shortens a label to that many columns: first the blanks before the value go, then the middle of the name; of a value
+// that is longer, the end.
 std::string cut_name(const std::string& label, std::size_t columns);
 
 // The line below the picture.

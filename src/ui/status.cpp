@@ -207,19 +207,23 @@ void loading(const std::string& text, double share) {
     ImGui::End();
 }
 
-void first_picture(const Facts& facts, const Rect& scene, Layout& layout) {
+void first_picture(const Facts& facts, const Rect& area, Layout& layout) {
     if (!facts.first_picture) return;
+    const bool over_panel = !has_room(area);
+    const Rect scene = with_room(area);
     const float em = ImGui::GetFontSize();
     Text whole("Drawing the first picture of {}", facts.file);
     if (facts.longest_picture > 0) whole.add(", for {:g} s at most", facts.longest_picture);
     whole.add("\u2026");
-    const Text text = shortened(whole.view(), scene.width - 3 * em);
-    const ImVec2 size(width_of(text.view()) + 2 * em, 2 * em);
+    const float wrap = std::max(scene.width - 3 * em, em);
+    const ImVec2 words = ImGui::CalcTextSize(whole.begin(), whole.end(), false, wrap);
+    const ImVec2 size(words.x + 2 * em, words.y + em);
     const ImVec2 at(std::round(scene.x + (scene.width - size.x) / 2),
                     std::round(scene.y + (scene.height - size.y) / 2));
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    ImDrawList& list = over_panel ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
     list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, pack(palette().problem_background), em * .4F);
-    list.AddText({at.x + em, at.y + em * .5F}, pack(palette().problem_text), text.begin(), text.end());
+    list.AddText(nullptr, 0, {at.x + em, at.y + em * .5F}, pack(palette().problem_text), whole.begin(), whole.end(),
+                 wrap);
     layout.place("first picture", {at.x, at.y, size.x, size.y});
 }
 

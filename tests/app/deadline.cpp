@@ -51,6 +51,19 @@ TEST(Deadline, RestsAndBeginsAgain) {
     EXPECT_TRUE(becomes(calls, 1));
 }
 
+// As the strips of one picture do.
+TEST(Deadline, WhatGoesOnHasAQuarterAtLeast) {
+    std::atomic<int> calls = 0;
+    Deadline deadline(8, [&](const std::string&) { ++calls; });
+    deadline.begin("the first part");
+    std::this_thread::sleep_for(50ms);  // the thread waits for its end
+    deadline.rest();
+    deadline.begin("the next", 30);
+    std::this_thread::sleep_for(1s);
+    EXPECT_EQ(calls, 0) << "a quarter is left";
+    EXPECT_TRUE(becomes(calls, 1));
+}
+
 TEST(Deadline, NoneIsNoThread) {
     std::atomic<int> calls = 0;
     Deadline deadline(0, [&](const std::string&) { ++calls; });

@@ -207,8 +207,14 @@ TEST_F(Pictures, WhatIsTooLargeIsSaidInOneLineWithHelp) {
         EXPECT_EQ(tiling.error.find('\n'), std::string::npos) << tiling.error;
         EXPECT_NE(tiling.help.find(name), std::string::npos) << tiling.help;
     }
-    const Outcome large = render("--size 60000x60000 -o " + at("large.png") + " " + at("s.glib"));
-    EXPECT_TRUE(large.says("60000x60000 is too large\n   help: the limit 'output-side'")) << large.output;
+    for (const auto& [size, said] :
+         {std::pair("60000x60000", "60000x60000 is too large\n   help: the limit 'output-side'"),
+          {"100x999999999", "100x999999999 is too large\n   help: the limit 'output-side'"},
+          {"100.5x100", "'100.5x100' is not WIDTHxHEIGHT in whole pixels"},
+          {"100x9999999999", "'100x9999999999' is not WIDTHxHEIGHT in whole pixels"}}) {
+        const Outcome refused = render(std::string("--size ") + size + " -o " + at("large.png") + " " + at("s.glib"));
+        EXPECT_TRUE(refused.says(said)) << refused.output;
+    }
 }
 
 }  // namespace

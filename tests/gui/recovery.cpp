@@ -132,9 +132,10 @@ TEST_F(Recovery, AFrameThatDoesNotEndStartsTheWindowAgain) {
                            loops("60000", "uPaint.r") + "  gl_FragColor = vec4(x);\n}\n");
     ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1; }));
     EXPECT_TRUE(alive());
-    EXPECT_TRUE(says("a frame of scene.glib did not end, and"));
+    EXPECT_TRUE(says("a frame of scene.glib took too long and was stopped;"));
+    EXPECT_TRUE(state()["widgets"].contains("not drawn.scene.glib")) << state()["widgets"];
     user("key F5");
-    EXPECT_TRUE(says("a frame of scene.glib did not end in try 2, and"));
+    EXPECT_TRUE(says("a frame of scene.glib took too long in try 2 and was stopped;"));
     EXPECT_EQ(restarts(), 2U);
     save("paint.frag", paint("uPaint.grb"));
     EXPECT_TRUE(shows(green)) << "an edit of the shader alone is another try";
@@ -158,7 +159,7 @@ TEST_F(Recovery, AVertexShaderThatDoesNotEndIsGivenUp) {
     int widest = 0;
     for (int looks = 0; looks < 60 && restarts() == 0; ++looks) widest = std::max(widest, words());
     EXPECT_GT(widest, 360) << "with the time";
-    EXPECT_TRUE(says("a frame of scene.glib did not end, and the window was started again"));
+    EXPECT_TRUE(says("a frame of scene.glib took too long and was stopped; the window was started again"));
     settle();
     save("paint.vert", "void main() { gl_Position = ftransform(); }\n");
     EXPECT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0 && state["frames"] > 0; }));
@@ -197,7 +198,7 @@ TEST_F(Recovery, AFirstPictureThatDoesNotEndIsThatOfItsOwnScene) {
     settle();
     EXPECT_EQ(state()["file"], file("./slow.glib"));
     const std::string problems = state()["problems"];
-    EXPECT_NE(problems.find("a frame of slow.glib did not end"), std::string::npos) << problems;
+    EXPECT_NE(problems.find("a frame of slow.glib took too long and was stopped"), std::string::npos) << problems;
     EXPECT_NE(bytes("out/errors").find("drawing a frame of slow.glib takes longer"), std::string::npos);
     EXPECT_FALSE(state()["widgets"].contains("browser.cancel"));
     save("slow.frag", paint("uPaint.grb"));

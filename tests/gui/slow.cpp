@@ -178,6 +178,37 @@ TEST_F(SlowPictures, SideBySideAreAsCoarseAndComeInStripsTogether) {
     EXPECT_EQ(drawn(), (std::array{0, 0})) << "the scene is not drawn again";
 }
 
+// Each strip is short, and all of them take longer than anyone waits.
+TEST_F(SlowPictures, AreGivenUpWhereAllStripsTogetherTakeTooLong) {
+    save(
+        "paint.frag",
+        "uniform float uStep;\nvoid main() {\n    float x = gl_FragCoord.x;\n"
+        "    for (float t = 0.; t < 1.; t += uStep) x += sin(x);\n    gl_FragColor = vec4(0., 1., 1e-9 * x, 1.);\n}\n");
+    save("slow.glib",
+         "Ortho -1 1 -1 1\nVertex paint.vert\nFragment paint.frag\nProgram Paint uStep <0. 0. 1.>\nQuadXY 0. 9.\n");
+    open("slow.glib", {"--no-specialise", "--timeout", "5"});
+    const auto failure = [](const json& s) { return s["failure"].get<std::string>(); };
+    ASSERT_TRUE(wait([&](const json& s) {
+        return failure(s).find("slow.glib took longer than 5 s") != std::string::npos;
+    })) << state();
+    EXPECT_NE(failure(state()).find("a loop of 'Paint' may not end"), std::string::npos) << failure(state());
+    EXPECT_TRUE(
+        wait([](const json& s) { return s["problems"].get<std::string>().find("for ever") != std::string::npos; }));
+    settle();
+    const int strips = state()["strips"];
+    EXPECT_GT(strips, 3);
+    EXPECT_GT(state()["grain"], 0) << "the coarse one stays";
+    click("Paint", .5);
+    click("Paint", .5);
+    settle();
+    EXPECT_EQ(state()["strips"], strips) << "nobody tries again";
+    type("Paint.uStep", "0.5", Field::number);
+    settle();
+    EXPECT_EQ(failure(state()), "");
+    EXPECT_EQ(state()["grain"], 0);
+    EXPECT_EQ(bytes("out/errors").find("started again"), std::string::npos);
+}
+
 // Strips share what is off-screen with pictures that are saved meanwhile, of other moments.
 TEST_F(SlowPictures, AreOfOneMomentWhileASequenceIsSaved) {
     save("time.frag", "uniform float uTime;\nvoid main() { gl_FragColor = vec4(.2 + .02 * uTime, 0., 0., 1.); }\n");

@@ -87,6 +87,40 @@ TEST(LintLoops, BoundsThatTheSceneSets) {
     EXPECT_FALSE(told(looping(square, "uN <1 10 200>")));
 }
 
+TEST(LintLoops, StepsThatTheSceneSets) {
+    struct Row {
+        const char *loop, *values, *told;  // "": nothing
+    };
+    const char *const up = "for (float t = 0.; t < 1.; t += uX) x += t;",
+                      *const down = "for (float t = 9.; t > 0.; t -= .5 * uX) x += t;";
+    for (const auto& [loop, values, expected] :
+         {Row{up, "uX 0.", "go round for ever"}, Row{up, "uX -.1", "go round for ever"}, Row{up, "uX .01", ""},
+          Row{up, "uX 1e-9", "go round more than a million"}, Row{up, "uX 1e-5", "go round at least 99903 times"},
+          Row{up, "", ""},
+          // At the end of a slider, or within.
+          Row{up, "uX <0. .1 1.>", "may go round for ever"}, Row{up, "uX <-1. .1 1.>", "may go round for ever"},
+          Row{up, "uX <.01 .1 1.>", ""}, Row{up, "uX <-1. -.5 -.1>", "may go round for ever"},
+          Row{up, "uX <1e-6 .1 1.>", "may go round at least 990523 times"},
+          Row{down, "uX <0. .1 1.>", "may go round for ever"}, Row{down, "uX 0.", "go round for ever"},
+          Row{down, "uX .01", ""},
+          Row{"for (int i = 0; i < 9; i += uN) x += 1.;", "uN <0 1 5>", "may go round for ever"},
+          Row{"float t = 0.; while (t < 1.) { x += t; t += uX; }", "uX 0.", "go round for ever"},
+          // It vanishes next to the bound.
+          Row{"for (float t = 99999.; t < 1e5; t += uX) x += t;", "uX .001", "go round for ever"},
+          // What sets it is not known, or keeps it from being 0.
+          Row{"for (float t = 0.; t < 1.; t += max(uX, .01)) x += t;", "uX <0. .1 1.>", ""},
+          Row{"for (float t = .1; t < 1.; t += t * uX) x += t;", "uX 0.", ""},
+          Row{"float d = uX; for (float t = 0.; t < 1.; t += d) { d = .1; x += t; }", "uX 0.", ""},
+          Row{"if (uX > 0.) for (float t = 0.; t < 1.; t += uX) x += t;", "uX <0. .1 1.>", ""},
+          Row{"for (float t = 0.; t < 1.; t += uX) if (uX == 0.) break;", "uX 0.", ""}}) {
+        const Linted linted = looping(loop, values);
+        EXPECT_EQ(told(linted), *expected != '\0') << loop << values << linted.text();
+        EXPECT_NE(linted.text().find(*expected == '\0' ? "" : std::string(" this shader ") + expected),
+                  std::string::npos)
+            << loop << values << linted.text();
+    }
+}
+
 TEST(LintLoops, LoopsThatCountWithin) {
     EXPECT_TRUE(told(looping("int i = 0; while (i < uN) { x += 1.; ++i; }", "uN <1 10 100000>")));
     EXPECT_TRUE(told(looping("int i = 0; do { for (int k = 0; k < 300; ++k) x += 1.; ++i; } while (i < 300);")));

@@ -50,6 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
         Loops{"for (int i = n; i < n + 16; ++i) x += 1.;", 0},
         Loops{"for (int i = 0; i < 6 && x < 9.; ++i) x += 1.;", 0},
         Loops{"for (int i = 0; (x < 9. && (i < 6)); ++i) x += 1.;", 0},
+        Loops{"for (float t = 0.; t < 9.; t += max(uX, .1)) x += t;", 0},
+        Loops{"for (float t = 9.; t > 0.; t -= .5 * max(uX, .1)) x += t;", 0},
         // Nothing ends them.
         Loops{"while (true) x += 1.;", 1}, Loops{"while (true) { x += 1.; if (x < 0.) break; }", 1},
         Loops{"for (;;) { x += 1.; if (x < 0.) break; }", 1}, Loops{"do x += 1.; while (x > 0.);", 1},
@@ -69,6 +71,9 @@ INSTANTIATE_TEST_SUITE_P(
         Loops{"for (int i = 0; i < 70000; ++i) x += 1.;", 0, "", true},
         Loops{"for (int i = 0; i < 270000; ++i) x += 1.;", 1},
         Loops{"for (float t = 0.; t < 10.; t += .00001) x += t;", 1},
+        Loops{"for (float t = 0.; t < 10.; t += min(uX, .1)) x += t;", 1},
+        Loops{"for (float t = 0.; t < 10.; t -= max(uX, .1)) x += t;", 1},
+        Loops{"for (float t = 0.; t < 1e9; t += max(uX, .1)) x += t;", 1},
         Loops{"for (int i = 0; i < 600; ++i) for (int k = 0; k < 600; ++k) x += 1.;", 602},
         Loops{"for (int i = 0; i < 600; ++i) x = f(x);", 602,
               "float f(float x) { for (int i = 0; i < 600; ++i) x += 1.; return x; }\n"},

@@ -371,23 +371,20 @@ TEST_F(FilePanels, LettersGrowAndShrink) {
     EXPECT_FLOAT_EQ(next_zoom(1.03F, 1), 1.1F);
 }
 
-TEST_F(FilePanels, WhereASizeOfLettersWasClickedTheNextClickFindsTheSameButton) {
+TEST_F(FilePanels, SizesOfLettersAreAList) {
     memory_.tab = Tab::tools;
     memory_.open.insert("Window");
-    for (const auto& [name, zooms] :
-         {std::pair("larger", std::vector{1.1F, 1.25F, 1.5F, 1.75F}), {"smaller", std::vector{1.5F, 1.25F, 1.1F}}}) {
-        const Rect at = place(name);
-        for (const float zoom : zooms) {
-            click(at);
-            screen_.scale = memory_.zoom;
-            for (int i = 0; i < 3; ++i) frame();
-            EXPECT_FLOAT_EQ(memory_.zoom, zoom) << name;
-        }
-        EXPECT_TRUE(has(std::string("letters.") + name));
-        frame({move(5, 5)});
-        EXPECT_FALSE(has(std::string("letters.") + name)) << "until the pointer leaves them";
+    for (const auto& [text, zoom] : {std::pair("125 %", 1.25F), {"150 %", 1.5F}, {"110 %", 1.1F}, {"100 %", 1.F}}) {
+        click(place("letters"));
+        click(place(std::string("letters.") + text));
+        EXPECT_FLOAT_EQ(memory_.zoom, zoom);
+        screen_.scale = memory_.zoom;
+        for (int i = 0; i < 3; ++i) frame();
+        EXPECT_FALSE(has("letters.110 %")) << "it closes";
     }
-    EXPECT_EQ(memory_.theme, Theme::light) << "nothing else was clicked";
+    memory_.zoom = 1.03F;
+    EXPECT_TRUE(has("letters"));
+    EXPECT_FLOAT_EQ(memory_.zoom, 1.03F) << "one that is not in the list stays";
 }
 
 TEST_F(FilePanels, ThePanelGrowsWithTheLetters) {
@@ -429,7 +426,11 @@ TEST(Excerpts, KeepTheCaretsUnderWhatTheyMean) {
 }
 
 TEST(Labels, OfALongOneTheNameGivesWay) {
-    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass \u2026Index =     1.1000");
+    EXPECT_EQ(cut_name("Glass : uRefractiveIndex =     1.1000", 25), "Glass : \u2026veIndex = 1.1000");
+    EXPECT_EQ(cut_name("Glass : uEta =     1.1000", 24), "Glass : uEta = 1.1000");
+    EXPECT_EQ(cut_name("Glass : uEta =     1.1000", 14), "Gl\u2026ta = 1.1000");
+    EXPECT_EQ(cut_name("Glass : uEta = -123456.7890", 12), "\u2026 = -123456\u2026") << "that more follows is seen";
+    EXPECT_EQ(cut_name("Glass : uC =     0.250,     0.500", 18), "G\u2026C = 0.250, 0.500");
     EXPECT_EQ(cut_name("a = 1", 2), "\u2026 = 1");
 }
 

@@ -316,7 +316,8 @@ public:
         facts_.animated = facts_.timed = true;
         memory_.picture.open = true;
         std::ranges::copy(std::string("pictures/room.png"), memory_.picture.file.begin());
-        memory_.picture.width = memory_.picture.height = 16384;
+        memory_.picture.width = memory_.picture.height = memory_.picture.largest = 16384;
+        memory_.picture.most = 1'000'000;
         memory_.picture.sequence = memory_.picture.transparent = true;
         memory_.picture.error = long_path + ": there is no such folder, so nothing was written into it";
     }

@@ -266,8 +266,11 @@ TEST_F(UiKeep, ThePictureWindowRefusesNumbersThatItCannotTake) {
     memory_.picture.width = 640;
     memory_.picture.height = 480;
     memory_.picture.sequence = facts_.animated = true;
-    for (const Row& row : {Row{"width", "0", "not from 1 to 1000000"},
-                           {"width", "-5", "not from 1 to 1000000"},
+    memory_.picture.largest = 16384;
+    memory_.picture.most = 1'000'000;
+    for (const Row& row : {Row{"width", "0", "not from 1 to 16384"},
+                           {"width", "1e9", "not from 1 to 16384"},
+                           {"width", "100.5", "not a whole number"},
                            {"height", ".4", "not a whole number"},
                            {"height", "nan", "not a number"},
                            {"samples", "65", "not from 1 to 64"},
@@ -326,8 +329,33 @@ TEST_F(UiKeep, AFileThatIsThereIsReplacedOnlyWhenAsked) {
     EXPECT_TRUE(confirmed(memory_.picture, false, "folder/b.png")) << "there is none";
 }
 
+TEST_F(UiKeep, ASequenceThatThereIsNotIsRefused) {
+    PictureMemory& picture = memory_.picture;
+    picture.open = picture.sequence = facts_.animated = true;
+    picture.width = picture.height = 64;
+    picture.most = 1'000'000;
+    picture.from = 4;
+    for (const auto& [to, problem] : {std::pair(-1., "-1 s is not after 4 s"),
+                                      {4., "4 s is not after 4 s"},
+                                      {1e9, "2.5e+10 pictures are more than 1000000"},
+                                      {40005., "1.00002e+06 pictures are more than 1000000"},
+                                      {5., ""},
+                                      {4.001, ""}}) {
+        picture.to = to;
+        EXPECT_EQ(sequence_problem(picture), problem) << to;
+        const bool taken = *problem == '\0';
+        EXPECT_NE(has("sequence error"), taken) << to;
+        EXPECT_EQ(clicked("picture save").picture, taken ? PictureRequest::save : PictureRequest::none) << to;
+        EXPECT_EQ(clicked("picture command").picture, taken ? PictureRequest::command : PictureRequest::none) << to;
+    }
+    picture.to = -1;
+    picture.sequence = false;
+    EXPECT_EQ(clicked("picture save").picture, PictureRequest::save) << "of one picture";
+}
+
 TEST(PictureCount, EndsBeforeTheLastMoment) {
     PictureMemory picture;
+    picture.most = 1'000'000;
     EXPECT_EQ(picture_count(picture), 1);
     picture.sequence = true;
     EXPECT_EQ(picture_count(picture), 250);

@@ -132,6 +132,47 @@ TEST_F(SmallestWindow, NoticesWithoutRoomAreCounted) {
     if (!screens_folder().empty()) keep_picture("three-notices-420x320-largest-light");
 }
 
+// What a notice offers is above the one below it.
+TEST_F(SmallestWindow, NoticesAreSeenWholeOrCountedInLargerOnes) {
+    everything();
+    for (const float height : {640.F, 720.F, 800.F, 900.F, 1000.F, 1080.F, 1200.F}) {
+        SCOPED_TRACE(height);
+        screen_ = {1920, height, 1, 2, Theme::light};
+        settle();
+        EXPECT_TRUE(has("failure.more"));
+        for (int number = 3; number >= 2; --number) {
+            const std::string name = fmt::format("failure {}", number);
+            const std::string below = number > 2 ? "failure 2.ok" : "failure.ok";
+            if (!has(name + ".ok")) continue;
+            const Rect again = place(name + ".again");
+            EXPECT_LT(again.y + again.height, place(below).y - ImGui::GetStyle().WindowPadding.y) << name;
+        }
+    }
+}
+
+TEST_F(SmallestWindow, OfANoticeTwoLinesAreSeen) {
+    failures();
+    screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
+    settle();
+    EXPECT_GE(place("failure.again").y - place("failure.ok").y, 2 * ImGui::GetTextLineHeight());
+    EXPECT_TRUE(visible("failure.more"));
+    EXPECT_TRUE(visible("menu.open")) << "the panel";
+}
+
+TEST_F(SmallestWindow, WhatIsWaitedForIsSeenWhole) {
+    for (const float scale : {2.F, fitting_scale(3, 420)}) {
+        first_picture();
+        facts_.file = "refraction-room.glib";
+        screen_ = {420, 320, 1, scale, Theme::light};
+        settle();
+        const Rect box = place("first picture");
+        const float em = ImGui::GetFontSize();
+        const float all = ImGui::CalcTextSize("Drawing the first picture of refraction-room.glib, for 60 s at most").x;
+        EXPECT_GE((box.width - 2 * em) * (box.height - em) / ImGui::GetTextLineHeight(), all) << scale;
+        EXPECT_TRUE(box.x >= 0 && box.x + box.width <= 420 && box.y >= 0 && box.y + box.height <= 320) << scale;
+    }
+}
+
 TEST_F(SmallestWindow, TheFieldForANameIsSeenWhole) {
     screen_ = {420, 320, 1, fitting_scale(3, 420), Theme::light};
     browser();
@@ -166,7 +207,7 @@ const Panel panels[] = {
     {"states-and-a-notice", "failure.store", &Screens::states_and_a_notice},
     {"costs", "costs.Images", &Screens::costs},
     {"files", "file.room.glib", &Screens::files},
-    {"window", "larger", &Screens::window},
+    {"window", "letters", &Screens::window},
     {"browser", "browser.entry.scene1.glib", &Screens::browser},
     {"refused-folder", "browser.cancel", &Screens::refused_folder},
     {"view", "background", &Screens::view},

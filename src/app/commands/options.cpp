@@ -26,13 +26,13 @@ namespace fs = std::filesystem;
 
 bool parse_size(const std::string& text, std::pair<int, int>& size) {
     int end = 0;
-    return std::sscanf(text.c_str(), "%5dx%5d%n", &size.first, &size.second, &end) == 2 &&
+    return std::sscanf(text.c_str(), "%9dx%9d%n", &size.first, &size.second, &end) == 2 &&
            static_cast<size_t>(end) == text.size() && size.first > 0 && size.second > 0;
 }
 
 std::string check_size(const std::string& text) {
     std::pair<int, int> size;
-    return parse_size(text, size) ? "" : "'" + text + "' is not WIDTHxHEIGHT, such as 800x600";
+    return parse_size(text, size) ? "" : "'" + text + "' is not WIDTHxHEIGHT in whole pixels, such as 800x600";
 }
 
 std::string check_limit(const std::string& text) {

@@ -1,5 +1,6 @@
 #include "src/app/open/ending.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
@@ -37,17 +38,18 @@ Deadline::~Deadline() {
     if (thread_.joinable()) thread_.join();
 }
 
-void Deadline::begin(std::string what) {
+void Deadline::begin(std::string what, double used) {
     if (seconds_ <= 0) return;
     bool idle = false;
     {
         const std::lock_guard lock(mutex_);
         idle = idle_;
         what_ = std::move(what);
-        end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds_));
+        const std::chrono::duration<double> left(std::max(seconds_ - used, seconds_ / 4));
+        end_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(left);
     }
-    // A thread that is not idle wakes at an earlier end, and finds the new one then.
-    if (idle) change_.notify_all();
+    // A thread that is not idle wakes at an earlier end, and finds the new one then; what has less time ends before.
+    if (idle || used > 0) change_.notify_all();
 }
 
 void Deadline::now(std::string what) {

@@ -29,8 +29,9 @@ public:
     Deadline(const Deadline&) = delete;
     Deadline& operator=(const Deadline&) = delete;
 
-    // Starts the time again for the work that begins now; `what` names it in the message.
-    void begin(std::string what);
+    // Starts the time again for the work that begins now; `what` names it in the message. `used`: seconds of it that
+    // are over already, of which a quarter at least is left.
+    void begin(std::string what, double used = 0);
     // The work that begins now has what is left of the time; `what` names it in the message.
     void now(std::string what);
     // Stops the time until the next begin().

@@ -56,6 +56,11 @@ bool Display::prepare(Half left, std::optional<Half> right, const Wanted& wanted
     sides_[0].half = std::move(left);
     two_ = right.has_value();
     sides_[1].half = std::move(right).value_or(Half{});
+    if (std::array now{sides_[0].half.next, sides_[1].half.next}; next_ != now) {
+        next_ = std::move(now);
+        spent_ms_ = 0;
+        given_up_ = false;
+    }
     const bool other = any(&Side::other), moves = any(&Side::moved);
     // What moves by itself is sharp, unless nobody would see that it moves.
     const bool runs = wanted.runs ? moves : !moves && runs_on;
@@ -63,7 +68,8 @@ bool Display::prepare(Half left, std::optional<Half> right, const Wanted& wanted
     const bool may_be_coarse = runs ? runs_ : moves;
     if (wanted.sharp || other || (wanted.runs && runs && !may_be_coarse)) coarseness_ = {};
     if (std::exchange(held_, wanted.held) && !wanted.held) coarseness_.released();
-    const int grain = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
+    const int next = wanted.sharp ? 0 : coarseness_.next(may_be_coarse, wanted.held || runs, window_.now());
+    const int grain = given_up_ ? drawn().grain : next;
     set_grain(grain);
     loops_ = any([](const Side& s) { return s.half.document->runtime->long_loops(s.half.document->controls) > 0; });
     may_last_ = !wanted.sharp && (loops_ || sharp_ms_ > Coarseness::patience);
@@ -122,7 +128,9 @@ void Display::draw_all(const std::function<void(const Step&)>* after, float dens
         if (last) canvas.resolve();
         gl::finish();
     }
-    ms_ += (window_.now() - start) * 1e3;
+    const double took = (window_.now() - start) * 1e3;
+    ms_ += took;
+    spent_ms_ += took;
 }
 
 bool Display::draw_ahead(float density) {
@@ -155,6 +163,10 @@ bool Display::draw(const std::function<void(const Step&)>* after, float density)
         draw_all(once ? after : nullptr, density);
     }
     lost_ = loss_.lost();
+    if (!whole && longest_ > 0 && spent() > longest_) {
+        given_up_ = true;
+        sharp_.reset();
+    }
     if (lost_ || !whole) return false;
     last_picture_ = start;
     sharp_.reset();
@@ -162,7 +174,10 @@ bool Display::draw(const std::function<void(const Step&)>* after, float density)
     counters_.frame_ms = ms_;
     counters_.time = drawn().stand.time;
     counters_.grain = drawn().grain;
-    if (counters_.grain == 0) sharp_ms_ = ms_;
+    if (counters_.grain == 0) {
+        sharp_ms_ = ms_;
+        spent_ms_ = 0;
+    }
     ++counters_.frames;
     if (counters_.grain > 0) ++counters_.coarse;
     if (!ahead) coarseness_.drew(ms_);

@@ -59,8 +59,9 @@ struct Half {
 
 class Display {
 public:
-    // `window` must outlive the object.
-    Display(Window& window, app::LossWatch loss) : window_(window), loss_(std::move(loss)) {}
+    // `window` must outlive the object. `longest`: seconds after which a sharp picture is given up; 0: never.
+    Display(Window& window, app::LossWatch loss, double longest)
+        : window_(window), longest_(longest), loss_(std::move(loss)) {}
 
     // What is shown next: the only picture or the left one, and the right one. Both are as coarse, and drawn again if
     // one of them differs from its last picture. Returns false if neither does, or if the context refuses their size.
@@ -76,6 +77,10 @@ public:
     double lasts() const;
     // What is shown next is drawn at once, and not looked ahead at.
     bool at_once() const { return !sharp_ && !ahead_; }
+    // Seconds that what is shown next has taken so far, its coarse pictures and all strips together.
+    double spent() const { return spent_ms_ / 1e3; }
+    // That was too long: it stays coarse until another one is to be shown.
+    bool given_up() const { return given_up_; }
     // It may take so long until something is shown that one wonders.
     bool slow() const { return !sharp_ && sides_[0].half.next.grain == 0 && sharp_ms_ > Coarseness::patience; }
     // Draws it, and returns true; of a sharp one that lasts, the next strip: it is shown once it is whole. `after` is
@@ -140,8 +145,12 @@ private:
     Window& window_;
     std::array<Side, 2> sides_;
     bool two_ = false;
-    double ms_ = 0;                    // that what is shown next has taken so far
-    std::optional<Strips> sharp_;      // of what is shown next
+    double ms_ = 0;                    // that what is shown next has taken so far, as coarse as it is
+    double spent_ms_ = 0;              // with the coarser ones before
+    double longest_;                   // see the constructor
+    bool given_up_ = false;            // what is shown next took longer
+    std::array<Drawn, 2> next_{};      // what is shown next, were it sharp
+    std::optional<Strips> sharp_;      // of it
     std::array<Drawn, 2> sharp_of_{};  // what that was when they were begun
     Coarseness coarseness_;
     bool loops_ = false;     // what is shown next has loops that may last

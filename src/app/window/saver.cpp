@@ -59,6 +59,8 @@ std::vector<std::string> files_of(const std::string& scene, const Picture& pictu
 void PictureSaver::fill(const Document& document, const Picture& shown, ui::PictureMemory& picture) {
     picture.error.clear();
     picture.there.clear();
+    picture.largest = std::min(static_cast<double>(limits_.output_side), static_cast<double>(caps_.max_viewport));
+    picture.most = app::max_pictures;
     if (picture.width > 0) return;
     std::error_code error;
     fs::path path = fs::absolute(document.path, error).replace_extension("png");

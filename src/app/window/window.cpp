@@ -117,6 +117,8 @@ private:
     // Draws the panels over what the window shows, and presents it.
     void paint();
     bool draw_scene();
+    // Says that the sharp picture took too long.
+    void give_up(const Document& shown);
     void write_state();
 
     WindowOptions options_;
@@ -168,7 +170,7 @@ App::App(const WindowOptions& options, std::unique_ptr<Window> window, Restart& 
       window_(std::move(window)),
       restart_(restart),
       interface_(*window_, !options.state_file.empty()),
-      display_(*window_, app::LossWatch(options.lose_file)),
+      display_(*window_, app::LossWatch(options.lose_file), options.timeout),
       caps_(gl::query_caps()),
       workspace_(
           options, caps_, [this](const LoadProgress& progress) { loading(progress); },
@@ -629,15 +631,32 @@ bool App::draw_scene() {
         right->next.stand.values = values_of(beside->controls);
     }
     if (!display_.prepare(std::move(left), std::move(right), wanted)) return false;
+    if (!display_.given_up()) memory.failures.done(ui::Failure::Remedy::sharp);
     tells_ = !tells_ && display_.slow();
     if (tells_) return false;
-    hang_.begin("drawing a frame of " + workspace_.name());
+    hang_.begin("drawing a frame of " + workspace_.name(), display_.spent());
     const bool drew = display_.draw(measuring_.begin_picture(revision + (showing << 32U), display_), density);
     hang_.rest();
-    if (!drew) return false;
+    if (!drew) {
+        if (display_.given_up()) give_up(shown);
+        return false;
+    }
     measuring_.end_picture(display_);
     if (&shown == &document || beside == &document) session.drawn_well();
     return true;
+}
+
+void App::give_up(const Document& shown) {
+    const Index program = shown.runtime->long_program(shown.controls);
+    const std::string loops =
+        program == none ? "" : fmt::format(": a loop of '{}' may not end", shown.scene().programs[program].name);
+    interface_.memory().failed(
+        {utf8::printable(
+             fmt::format("the sharp picture of {} took longer than {:g} seconds and was stopped{}. The coarse "
+                         "one stays; F5 or a change tries again, --timeout SECONDS waits longer",
+                         workspace_.name(), options_.timeout, loops)),
+         ui::Failure::Remedy::sharp});
+    settle(until_equal);
 }
 
 void begin_with(Carried& carried, WindowOptions& options) {

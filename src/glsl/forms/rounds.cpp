@@ -111,7 +111,8 @@ private:
         if (n.text == "+") return {a.low + b.low, a.high + b.high};
         if (n.text == "-") return {a.low - b.high, a.high - b.low};
         const double most = n.text == "*" ? a.magnitude() * b.magnitude() : unknown;
-        return {a.low >= 0 && b.low >= 0 ? 0 : -most, most};
+        const double least = n.text == "*" ? a.low * b.low : 0;
+        return {a.low >= 0 && b.low >= 0 ? least : -most, most};
     }
 
     Range of_name(const Node& n) {
@@ -160,7 +161,10 @@ private:
         const auto begin = begin_of(u_, variable, all[0]);
         const auto step = update_of(u_, variable, all[2]);
         if (!begin || !step || (step->op != '+' && step->op != '-')) return unknown;
-        const double by = step->op == '+' ? step->by : -step->by;
+        const Range amount = step->amount < 0 ? Range{step->by, step->by} : range(step->amount);
+        // The shortest step that it may make; with 0, or one that vanishes next to the bound, it never ends.
+        const double shortest = amount.low > 0 ? amount.low : std::min(amount.high, 0.);
+        const double by = step->op == '+' ? shortest : -shortest;
         const auto [from, to] = ends(*begin, sides[1], all[3]);
         const bool up = by > 0 && test.text.front() == '<', down = by < 0 && test.text.front() == '>';
         const double least = up ? from.low : from.high, most = up ? to.high : to.low;

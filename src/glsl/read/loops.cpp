@@ -17,14 +17,17 @@ std::optional<Update> update_of(const Unit& u, int variable, int node) {
     const std::vector<int> inside = parts(*u.tree, node);
     if (inside.empty() || !is_variable(at(u, inside[0]), variable)) return std::nullopt;
     if (n.form == Form::step) return Update{n.text.front(), 1};
-    if (n.form != Form::assign || at(u, inside[1]).value.size() != 1) return std::nullopt;
+    if (n.form != Form::assign) return std::nullopt;
     const char op = n.text.front();
     if (n.text.size() > 2 || std::string_view("=+-*/").find(op) == std::string_view::npos) return std::nullopt;
-    return Update{op, at(u, inside[1]).value.front()};
+    const Node& amount = at(u, inside[1]);
+    if (amount.value.size() == 1) return Update{op, amount.value.front()};
+    const bool steps = (op == '+' || op == '-') && amount.type.scalar();
+    return steps ? std::optional(Update{op, std::nan(""), inside[1]}) : std::nullopt;
 }
 
 double updated(double value, Update update, Base base) {
-    const auto [op, by] = update;
+    const auto [op, by, amount] = update;
     value = op == '+' ? value + by : op == '-' ? value - by : op == '*' ? value * by : op == '/' ? value / by : by;
     if (base == Base::real) return static_cast<float>(value);
     if (base == Base::dreal) return value;

@@ -76,8 +76,9 @@ inline std::vector<int> parts(const Tree& tree, int node) {
 struct Update {
     char op;
     double by;
+    int amount = -1;  // the expression of `by`, where that is no number of the text; `by` is NaN then
 };
-// What i++, i -= 2, x *= .5, i = 0 and their like do with the variable; nullopt: another thing.
+// What i++, i -= 2, x *= .5, i = 0, x += step and their like do with the variable; nullopt: another thing.
 std::optional<Update> update_of(const Unit& unit, int variable, int node);
 
 // What the variable has after it.

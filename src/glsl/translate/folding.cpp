@@ -400,6 +400,44 @@ private:
         give({{}, i.a}, type.scalar() ? give_number(zero, type.base, 0, true, 0) : zero, step);
     }
 
+    void prefix(const Instruction& i) {
+        Fold fold = pop().fold;
+        fold.value = i.text == "-" ? -fold.value : std::numeric_limits<double>::quiet_NaN();
+        if (i.text != "-" && i.text != "+") fold.zero = true;
+        if (fold.sure == Sure::number && i.text == "!")
+            give_number(fold, Base::boolean, fold.number == 0 ? 1 : 0, true, fold.from);
+        else if (fold.sure == Sure::number && i.text == "-" && fold.base != Base::uinteger)
+            fold.number = -fold.number;
+        else if (i.text != "+" && fold.sure == Sure::number)
+            fold.sure = Sure::anything;
+        if (i.text == "~") fold.most = endless;
+        push(fold);
+    }
+
+    void index() {
+        const Fold index = pop().fold;
+        const Item of_what = pop();
+        Fold fold = both(of_what.fold, index, of_what.fold.zero);
+        if (!is_live(of_what.fold)) fold.kind = Kind::constant;  // where the index becomes one
+        fold.most = of_what.fold.most;
+        fold.from = of_what.fold.from | index.from;
+        push(fold, of_what.variable);
+        stack_.back().whole = false;
+    }
+
+    void infix(const Instruction& i, std::size_t step) {
+        const Item right = pop(), left = pop();
+        const Fold &a = left.fold, &b = right.fold;
+        if (i.text == "/") signs_ |= b.from;
+        Fold fold = of_operator(i.text, seen(i.text, a), seen(i.text, b));
+        if (same_twice(i.text, left, right, step)) fold = constant(true);
+        if (i.text == "&&" || i.text == "||")  // one may be enough
+            for (const Fold* one : {&a, &b})
+                if (decided(*one)) fold.kind = Kind::constant, fold.zero = true;
+        know_operator(fold, i.text, a, b);
+        push(fold);
+    }
+
     // Pushes one.
     void value(const Instruction& i, std::size_t step) {
         switch (i.op) {
@@ -423,48 +461,18 @@ private:
                 if (stack_.back().fold.sure == Sure::number) stack_.back().fold.sure = Sure::anything;
                 stack_.back().whole = false;
                 return;
-            case Op::prefix: {
-                Fold fold = pop().fold;
-                fold.value = i.text == "-" ? -fold.value : std::numeric_limits<double>::quiet_NaN();
-                if (i.text != "-" && i.text != "+") fold.zero = true;
-                if (fold.sure == Sure::number && i.text == "!")
-                    give_number(fold, Base::boolean, fold.number == 0 ? 1 : 0, true, fold.from);
-                else if (fold.sure == Sure::number && i.text == "-" && fold.base != Base::uinteger)
-                    fold.number = -fold.number;
-                else if (i.text != "+" && fold.sure == Sure::number)
-                    fold.sure = Sure::anything;
-                if (i.text == "~") fold.most = endless;
-                return push(fold);
-            }
+            case Op::prefix:
+                return prefix(i);
             case Op::step: {
                 const Item item = pop();
                 Fold fold = both(item.fold, constant(false), true);
                 give({item.fold, item.variable, false}, fold, step);
                 return push(both(item.fold, item.fold, true));
             }
-            case Op::index: {
-                const Fold index = pop().fold;
-                const Item of_what = pop();
-                Fold fold = both(of_what.fold, index, of_what.fold.zero);
-                if (!is_live(of_what.fold)) fold.kind = Kind::constant;  // where the index becomes one
-                fold.most = of_what.fold.most;
-                fold.from = of_what.fold.from | index.from;
-                push(fold, of_what.variable);
-                stack_.back().whole = false;
-                return;
-            }
-            case Op::infix: {
-                const Item right = pop(), left = pop();
-                const Fold &a = left.fold, &b = right.fold;
-                if (i.text == "/") signs_ |= b.from;
-                Fold fold = of_operator(i.text, seen(i.text, a), seen(i.text, b));
-                if (same_twice(i.text, left, right, step)) fold = constant(true);
-                if (i.text == "&&" || i.text == "||")  // one may be enough
-                    for (const Fold* one : {&a, &b})
-                        if (decided(*one)) fold.kind = Kind::constant, fold.zero = true;
-                know_operator(fold, i.text, a, b);
-                return push(fold);
-            }
+            case Op::index:
+                return index();
+            case Op::infix:
+                return infix(i, step);
             case Op::choose:
                 return choose(step);
             case Op::construct:

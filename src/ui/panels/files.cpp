@@ -74,44 +74,25 @@ void files_section(const Facts& facts, Memory& memory, Requests& requests, Layou
 
 namespace {
 
-float letters_number() { return width_of("300 %"); }
-
-// The size of letters between the buttons that change it. Returns the step, or 0.
-int letters_buttons(float zoom, const std::string& name, Layout& layout) {
-    const std::string percent = fmt::format("{:.0f} %", std::round(zoom * 100));
-    const float number = letters_number(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    int step = button("\u2212", layout, name + "smaller") ? -1 : 0;
-    ImGui::SameLine(0, gap);
-    const float left = ImGui::GetCursorPosX();
-    ImGui::SetCursorPosX(left + (number - width_of(percent)) / 2);
-    ImGui::TextUnformatted(percent.c_str());
-    ImGui::SameLine(0, 0);
-    ImGui::SetCursorPosX(left + number + gap);
-    if (button("+", layout, name + "larger")) step = 1;
-    return step;
-}
-
-// The buttons of the section move with the size of letters. These have the one that was pressed under the pointer, for
-// the next click there, until the pointer leaves them.
-void letters_popup(Memory& memory, Layout& layout) {
-    constexpr const char* title = "letters";
-    LettersMemory& last = memory.letters;
-    if (last.fresh) ImGui::OpenPopup(title);
-    if (!ImGui::IsPopupOpen(title)) return;
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float minus = button_width("\u2212"), plus = button_width("+");
-    const float left = last.step < 0 ? minus / 2 : minus + 2 * style.ItemInnerSpacing.x + letters_number() + plus / 2;
-    ImGui::SetNextWindowPos(
-        {std::round(static_cast<float>(last.at.x) - style.WindowPadding.x - left),
-         std::round(static_cast<float>(last.at.y) - style.WindowPadding.y - ImGui::GetFrameHeight() / 2)});
-    if (!ImGui::BeginPopup(title)) return;
-    const int step = letters_buttons(memory.zoom, "letters.", layout);
-    if (step != 0) memory.zoom = next_zoom(memory.zoom, step);
-    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize(), mouse = ImGui::GetMousePos();
-    const bool inside = mouse.x >= at.x && mouse.y >= at.y && mouse.x < at.x + size.x && mouse.y < at.y + size.y;
-    if (!inside && !last.fresh && !ImGui::IsWindowAppearing()) ImGui::CloseCurrentPopup();
-    last.fresh = false;
-    ImGui::EndPopup();
+void letters_row(float& zoom, Layout& layout) {
+    const auto percent = [](float size) { return fmt::format("{:.0f} %", std::round(size * 100)); };
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, list = width_of("300 %") + 2 * ImGui::GetFrameHeight();
+    follow(width_of("Letters") + gap + list, ImGui::GetFontSize());
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Letters");
+    follow(list, gap);
+    ImGui::SetNextItemWidth(list);
+    const auto nearest = ranges::min_element(zooms, {}, [&](float size) { return std::abs(size - zoom); });
+    const auto before = static_cast<std::size_t>(nearest - zooms.begin());
+    std::size_t chosen = before;
+    const bool open = begin_combo("##letters", percent(zoom).c_str(), chosen, zooms.size());
+    layout.note("letters");
+    for (std::size_t i = 0; open && i < zooms.size(); ++i) {
+        if (ImGui::Selectable(percent(zooms[i]).c_str(), i == before)) chosen = i;
+        layout.note("letters", percent(zooms[i]));
+    }
+    if (open) ImGui::EndCombo();
+    if (chosen != before) zoom = zooms[chosen];
 }
 
 }  // namespace
@@ -127,18 +108,7 @@ void look_section(Memory& memory, Layout& layout) {
             memory.theme = static_cast<Theme>(i);
         layout.note(theme_names[i]);
     }
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float buttons = letters_number() + 2 * button_width("+") + 2 * gap;
-    follow(width_of("Letters") + gap + buttons, ImGui::GetFontSize());
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Letters");
-    follow(buttons, gap);
-    if (const int step = letters_buttons(memory.zoom, "", layout); step != 0) {
-        memory.zoom = next_zoom(memory.zoom, step);
-        const ImVec2 mouse = ImGui::GetMousePos();
-        memory.letters = {step, {mouse.x, mouse.y}, ImGui::IsMouseReleased(ImGuiMouseButton_Left)};
-    }
-    letters_popup(memory, layout);
+    letters_row(memory.zoom, layout);
     bool coarser = !memory.always_sharp;
     if (switch_box("Coarser while dragging", coarser)) memory.always_sharp = !coarser;
     tip("Draws slow pictures with fewer samples and pixels while something is dragged");

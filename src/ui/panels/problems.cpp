@@ -222,7 +222,8 @@ bool too_early(const NoticeMemory& memory) {
     return memory.early_key || (memory.early && ImGui::IsMouseReleased(ImGuiMouseButton_Left));
 }
 
-bool has_notice_room(float bottom, const Rect& scene) { return bottom - scene.y >= 4 * ImGui::GetFontSize(); }
+// For a line, and below it the buttons.
+bool has_notice_room(float bottom, const Rect& scene) { return bottom - scene.y >= 5.5F * ImGui::GetFontSize(); }
 float notice_gap() { return ImGui::GetStyle().WindowPadding.x * .5F; }
 
 // Shows a text above `bottom`, which moves up by its height, and beside it what `buttons` draws.
@@ -402,7 +403,8 @@ void Failures::rewrite(const std::function<std::string(const std::string& text)>
 }
 
 void Failures::enter(const std::string& other) {
-    std::erase_if(open, [](const Failure& failure) { return failure.remedy == Remedy::open; });
+    std::erase_if(
+        open, [](const Failure& failure) { return failure.remedy == Remedy::open || failure.remedy == Remedy::sharp; });
     const auto of_scene = std::stable_partition(open.begin(), open.end(), [](const Failure& failure) {
         return failure.remedy == Remedy::none || failure.remedy == Remedy::page || failure.remedy == Remedy::editor;
     });
@@ -445,7 +447,7 @@ float notices(const Facts& facts, const Rect& free, Memory& memory, Requests& re
     // Where they need the panel's room, some of the panel is seen above them. One of them is seen in any case, but
     // where errors need that room as well: these are read, and hidden, first.
     const bool narrow = !has_room(free);
-    if (narrow) scene.y += scene.height / 2;
+    if (narrow) scene.y += scene.height / 4;
     if (!narrow || free.y <= 0) scene.y = std::max(0.0F, std::min(scene.y, end - 8 * ImGui::GetFontSize()));
     float bottom = first;
     int index = 0;

@@ -43,16 +43,18 @@ void end_dialog(const SaveAs& dialog) {
     ImGui::EndPopup();
 }
 
+void complain(const std::string& text, const std::string& name, Layout& layout) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
+    ImGui::TextWrapped("%s", text.c_str());
+    ImGui::PopStyleColor();
+    layout.note(name + " error");
+}
+
 // What the dialog asks or complains of.
 void questions(const SaveAs& dialog, const std::string& name, Layout& layout) {
     if (dialog.asks())
         ImGui::TextWrapped("%s exists. Replace it?", shortened(dialog.existing, 30 * ImGui::GetFontSize()).c_str());
-    if (!dialog.error.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-        ImGui::TextWrapped("%s", dialog.error.c_str());
-        ImGui::PopStyleColor();
-        layout.note(name + " error");
-    }
+    if (!dialog.error.empty()) complain(dialog.error, name, layout);
 }
 
 // "Cancel" and, behind it at the right end, what the dialog is for. Returns true if that was pressed.
@@ -139,7 +141,6 @@ void save_as_windows(Memory& memory, Requests& requests, Layout& layout) {
 namespace {
 
 constexpr const char* picture_title = "Save picture";
-constexpr double most_pictures = 1e6, largest = 1e6;
 
 void row(const char* name, const char* help = nullptr) {
     label(name);
@@ -162,11 +163,11 @@ void set_size(PictureMemory& picture, const Rect& scene, double factor) {
 void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
     const double density = ImGui::GetIO().DisplayFramebufferScale.x;
     row("Size");
-    whole("##width", picture.width, picture.width, layout, "picture width", largest);
+    whole("##width", picture.width, picture.width, layout, "picture width", picture.largest);
     follow(width_of("\u00d7") + 6 * ImGui::GetFontSize());
     ImGui::TextUnformatted("\u00d7");
     ImGui::SameLine();
-    whole("##height", picture.height, picture.height, layout, "picture height", largest);
+    whole("##height", picture.height, picture.height, layout, "picture height", picture.largest);
     if (next_button("Window size", layout, "picture window size")) set_size(picture, scene, density);
     if (next_button("\u00d7 4", layout, "picture times 4")) set_size(picture, scene, 4 * density);
     row("Samples", "samples per pixel; more make edges smoother");
@@ -199,6 +200,8 @@ void sequence_rows(PictureMemory& picture, double time, Layout& layout) {
     row("Per second");
     number("##rate", picture.rate, ValueType::float_, 25, field, {1e-3, 1e5});
     layout.note("picture rate");
+    if (const std::string problem = sequence_problem(picture); !problem.empty())
+        return complain(problem, "sequence", layout);
     const int count = picture_count(picture);
     const std::string told =
         fmt::format("{}, the last at {:.6g} s", counted(static_cast<std::size_t>(count), "picture"),
@@ -209,13 +212,15 @@ void sequence_rows(PictureMemory& picture, double time, Layout& layout) {
 
 void answers(PictureMemory& picture, bool moves, bool entered, Requests& requests, Layout& layout) {
     questions(picture, "picture", layout);
-    if (button("Copy command", layout, "picture command") && !refused()) requests.picture = PictureRequest::command;
+    const bool refuses = refused() || !sequence_problem(picture).empty();
+    if (button("Copy command", layout, "picture command") && !refuses) requests.picture = PictureRequest::command;
     tip(moves ? "Copies the 'snell render' command, which draws animated sliders at rest"
               : "Copies the 'snell render' command that draws the same");
     follow(button_width("Cancel") + button_width("Replace") + ImGui::GetStyle().ItemSpacing.x);
-    if ((answered(picture, "Save", "picture", layout) || entered) && !refused())
-        requests.picture = PictureRequest::save;
+    if ((answered(picture, "Save", "picture", layout) || entered) && !refuses) requests.picture = PictureRequest::save;
 }
+
+double asked_pictures(const PictureMemory& picture) { return std::round((picture.to - picture.from) * picture.rate); }
 
 void progress_row(const PictureMemory& picture, Requests& requests, Layout& layout) {
     const float stop = button_width("Stop") + ImGui::GetStyle().ItemSpacing.x;
@@ -228,8 +233,14 @@ void progress_row(const PictureMemory& picture, Requests& requests, Layout& layo
 }  // namespace
 
 int picture_count(const PictureMemory& picture) {
-    if (!picture.sequence) return 1;
-    return static_cast<int>(std::clamp(std::round((picture.to - picture.from) * picture.rate), 1., most_pictures));
+    return picture.sequence ? static_cast<int>(std::clamp(asked_pictures(picture), 1., picture.most)) : 1;
+}
+
+std::string sequence_problem(const PictureMemory& picture) {
+    if (!picture.sequence) return {};
+    if (picture.to <= picture.from) return fmt::format("{:.6g} s is not after {:.6g} s", picture.to, picture.from);
+    const double count = asked_pictures(picture);
+    return count <= picture.most ? "" : fmt::format("{:.6g} pictures are more than {:.0f}", count, picture.most);
 }
 
 void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layout& layout) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -44,10 +45,14 @@ struct PictureMemory : SaveAs {
     double from = 0, to = 10, rate = 25;
     std::string names;               // of the first pictures of a sequence; empty if they are not known
     std::optional<double> progress;  // 0 to 1 while pictures are being saved
+    // What can be asked for: pixels along a side, pictures of a sequence.
+    double largest = std::numeric_limits<double>::infinity(), most = 1;
 };
 
 // The number of pictures of a sequence; picture k is at time from + k / rate.
 int picture_count(const PictureMemory& picture);
+// Why there is no such sequence; "" if there is one.
+std::string sequence_problem(const PictureMemory& picture);
 
 enum class PictureRequest : unsigned char { none, open, save, command, stop };
 

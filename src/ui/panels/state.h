@@ -138,8 +138,22 @@ struct Failure {
     // the same of values that have no place in the text, until it has. editor: none
     // opens, until one does. store: the same snapshot again, with the values of then; recall: the same; both until that
     // succeeds. absent: there is no such snapshot, until one is stored. page: nothing, until a page is saved. open:
-    // another scene, with the name that was refused in the field.
-    enum class Remedy : std::uint8_t { none, reload, save, save_as, add, editor, store, recall, absent, page, open };
+    // another scene, with the name that was refused in the field. sharp: nothing; the picture stays coarse, until
+    // another one is begun.
+    enum class Remedy : std::uint8_t {
+        none,
+        reload,
+        save,
+        save_as,
+        add,
+        editor,
+        store,
+        recall,
+        absent,
+        page,
+        open,
+        sharp
+    };
     std::string text;
     Remedy remedy = Remedy::none;
     Place place = {};   // where the editor was to open; the file that could not be opened
@@ -181,13 +195,6 @@ struct NoticeMemory {
     bool early_key = false;  // the same of a key that is pressed in this frame, for the notice that is being drawn
 };
 
-// The button that changed the size of letters last.
-struct LettersMemory {
-    int step = 0;
-    Point at;            // the pointer then
-    bool fresh = false;  // it was pressed by the mouse in this frame
-};
-
 // Of the toolbar: whether a menu was open in the last frame, and whether it is to be closed, because one of the keys
 // that it shows was pressed.
 enum class Menu : std::uint8_t { none, open, closing };
@@ -202,8 +209,7 @@ struct Memory {
     Theme theme = Theme::light;
     bool always_sharp = false;  // pictures are not drawn coarser while something is dragged
     float zoom = 1;             // factor for text and widgets, in addition to the screen's
-    LettersMemory letters;
-    Titles open;  // titles of the open sections
+    Titles open;                // titles of the open sections
     // Sections of the scene's programs that the user has opened (true) or folded, by what tells them apart.
     std::map<std::string, bool> folds;
     bool warnings_open = false;

@@ -298,8 +298,9 @@ std::optional<Carried> Restart::carried() const {
         problem.help = (of_another && carried.scene.empty() ? "" : again + "; ") + "--limit asks for less";
     } else {
         problem.code = "frame-too-long";
-        problem.message = fmt::format("a frame{} did not end{}, and the window was started again; nothing is drawn",
-                                      carried.scene.empty() ? "" : " of " + name_of(carried.scene), in_try);
+        problem.message =
+            fmt::format("a frame{} took too long{} and was stopped; the window was started again, and nothing is drawn",
+                        carried.scene.empty() ? "" : " of " + name_of(carried.scene), in_try);
         problem.help = fmt::format("a loop in a shader may not end; {}; --timeout SECONDS waits longer", again);
     }
     return carried;
