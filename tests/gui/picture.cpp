@@ -26,6 +26,13 @@ protected:
         "uniform float uRed;\nuniform vec2 uResolution;\n"
         "void main() { gl_FragColor = vec4(uRed, gl_FragCoord.xy / uResolution, 1.); }\n";
 
+    // A scene that moves, and whose pictures take little: the window draws them until its time is held.
+    void save_moving(const std::string& seconds) {
+        save("scene.glib", "Timer " + seconds + "\nVertex paint.vert\nFragment paint.frag\n" +
+                               "Program Paint uRed <0. .2 1.>\nQuadXY\n");
+        save("paint.frag", "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(Timer, uRed, 0., 1.); }\n");
+    }
+
     // For people to look at.
     void keep_screen(const std::string& name, const std::string& area) const {
         const std::string folder = screens_folder();
@@ -147,8 +154,9 @@ TEST_F(SavedPicture, ASequenceIsThatOfTheCommand) {
 }
 
 TEST_F(SavedPicture, OfASequenceThatIsStoppedIsSaidHowManyArePresent) {
-    save("paint.frag", "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(Timer, uRed, 0., 1.); }\n");
+    save_moving("1");
     open("scene.glib", {"--size", "640x480"});
+    user("key space");
     choose("save", "sequence");
     type("picture to", "1000", Field::number);
     ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture names"); }));
@@ -166,10 +174,7 @@ TEST_F(SavedPicture, OfASequenceThatIsStoppedIsSaidHowManyArePresent) {
 // What the dialog of a scene begins with, it begins with again when the scene was left.
 TEST_F(SavedPicture, ASequenceBeginsWithTheScenesTimeAndTheWindowsSize) {
     save("other.glib", "Sphere 1.\n");
-    std::string scene = bytes("scene.glib");
-    scene.replace(scene.find("Timer 1"), 7, "Timer 3");
-    save("scene.glib", scene);
-    save("paint.frag", "uniform float uRed, Timer;\nvoid main() { gl_FragColor = vec4(Timer, uRed, 0., 1.); }\n");
+    save_moving("3");
     open("scene.glib", {"--size", "640x480"});
     user("key space");
     const auto command = [this] {

@@ -12,7 +12,7 @@ import unittest
 RUN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "run.py")
 
 # A program of GoogleTest as it looks from outside: it writes a report, and ends.
-FAKE = """#!/usr/bin/env python3
+FAKE = "#!" + sys.executable + """
 import os, signal, sys, time
 mode, folder = sys.argv[1], os.path.dirname(sys.argv[0])
 chosen = [a[len("--gtest_filter="):].split(":") for a in sys.argv if a.startswith("--gtest_filter=")]
@@ -64,11 +64,11 @@ class Verdicts(unittest.TestCase):
 
     def run_fake(self, mode, *options, **environment):
         clean = {key: value for key, value in os.environ.items() if not key.startswith(("SNELL_", "GTEST_"))}
-        return subprocess.run([RUN, *options, self.fake, mode], env={**clean, **environment}, text=True,
+        return subprocess.run([sys.executable, RUN, *options, self.fake, mode], env={**clean, **environment}, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
 
     def sum(self, most):
-        return subprocess.run([RUN, "--sum", self.folder.name + "/record"], text=True, stdout=subprocess.PIPE,
+        return subprocess.run([sys.executable, RUN, "--sum", self.folder.name + "/record"], text=True, stdout=subprocess.PIPE,
                               env={**os.environ, "SNELL_MOST_SKIPPED": most}, check=False)
 
     def test_passes_where_every_test_did(self):
