@@ -292,7 +292,7 @@ TEST_F(FoundWindow, RungsAreSoughtAtTheChosenOnes) {
          "  for (int i = 0; i < 24; ++i) a += .04 * sin(float(i) + vAt.x);\n#else\n"
          "  for (int i = 0; i < 16; ++i) a += .04 * cos(float(i) + vAt.x);\n#endif\n  gl_FragColor = vec4(a);\n}\n");
     end_window();
-    open("ways.glib", {"--size", "900x740", "--ladder", "WAY=long"});
+    open("ways.glib", {"--size", "800x740", "--ladder", "WAY=long"});
     user("key a");
     settle();
     const std::string name = fewer_rounds();
@@ -300,6 +300,8 @@ TEST_F(FoundWindow, RungsAreSoughtAtTheChosenOnes) {
     const json rows = state()["found"]["rows"];
     EXPECT_NE(rows.dump().find("ways.frag:6\""), std::string::npos) << rows;
     EXPECT_EQ(rows.dump().find("ways.frag:8\""), std::string::npos) << rows;
+    user("mousemove 700 400 click --repeat 12 5");  // the rows are below those of the ladder
+    settle();
     click("found.row." + name, .9);
     ASSERT_TRUE(wait_shown(name));
     click("found.copy");

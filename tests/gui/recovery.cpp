@@ -67,6 +67,24 @@ TEST_F(Recovery, AfterALossTheLastGoodProgramIsShown) {
     EXPECT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 0; }));
 }
 
+TEST_F(Recovery, AnotherRungDoesNotReadWhatHasEndedTheWindow) {
+    save("scene.glib",
+         "Ortho -1 1 -1 1\nLadder SWAP <no> yes\nVertex paint.vert\nFragment paint.frag\n"
+         "Program Paint uPaint [1. 0. 0.]\nQuadXY 0. 9.\n");
+    save("paint.frag", paint("SWAP == SWAP_no ? uPaint : uPaint.grb"));
+    open("scene.glib", {"--lose-file", file("lose")});
+    ASSERT_TRUE(shows(red));
+    settle();
+    save("lose", "");
+    save("paint.frag", paint("uPaint.bgr"));
+    ASSERT_TRUE(wait([](const nlohmann::json& state) { return state["errors"] == 1 && state["stale"] == true; }));
+    click("SWAP");
+    click("SWAP.yes");
+    EXPECT_TRUE(shows(green));
+    settle();
+    EXPECT_EQ(state()["stale"], true);
+}
+
 TEST_F(Recovery, WhatWasNotDoneIsSaidAfterALoss) {
     open("scene.glib", {"--lose-file", file("lose")});
     ASSERT_TRUE(shows(red));

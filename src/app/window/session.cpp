@@ -268,7 +268,7 @@ void Session::recover(const Recovery& recovery) {
     options.progress = progress_;
     shown_ = compile_document(path_, kept.plan, kept.sources, kept.controls, caps_, access_, options);
     plan_ = kept.plan;
-    read_rungs_ = good_rungs_ = shown_->controls.rungs;
+    good_rungs_ = shown_->controls.rungs;
     stale_ = true;
 }
 
@@ -297,7 +297,9 @@ bool Session::follow_rungs() {
 }
 
 bool Session::outdated() const {
-    return shown_ && (stale_ || shown_->diagnostics.has_errors()) && shown_->controls.rungs != read_rungs_;
+    // What has ended the last window is read again only when the user asks for it.
+    return shown_ && !read_rungs_.empty() && (stale_ || shown_->diagnostics.has_errors()) &&
+           shown_->controls.rungs != read_rungs_;
 }
 
 void Session::watch(const Document& read) {

@@ -115,7 +115,8 @@ private:
     Setup held_since_;                         // all values as they were then
     Follow followed_ = Follow::text;
     Rungs first_rungs_;
-    Rungs read_rungs_, good_rungs_;  // chosen at the last reading; chosen last without errors
+    Rungs read_rungs_;  // chosen at the last reading; empty after a recovery
+    Rungs good_rungs_;  // chosen last without errors
     std::string failed_rungs_;
     Earlier earlier_;
     std::shared_ptr<const Kept> kept_;   // of the previous document, if it was drawn without problems
