@@ -44,6 +44,13 @@ std::string confirmed_page(const Document& document, ui::SaveAs& dialog) {
     return ui::confirmed(dialog, std::filesystem::exists(page, error), page.string()) ? page.string() : "";
 }
 
+// To the programs of another text: what moves, and what is logarithmic.
+void carry_sliders(const std::vector<Index>& programs, ui::Memory& memory) {
+    carry_motions(programs, memory.animated);
+    for (auto& [program, name] : std::exchange(memory.logarithmic, {}))
+        if (program < programs.size() && programs[program] != none) memory.logarithmic.emplace(programs[program], name);
+}
+
 void expand_tilde(ui::SaveAs& dialog) {
     const std::string whole = without_tilde(dialog.file.data());
     if (whole.size() >= dialog.file.size()) return;
@@ -81,7 +88,7 @@ void Workspace::reload(View& view, ui::Memory& memory) {
     const std::size_t before = session_.errors();
     const std::vector<ProgramId> programs = document() ? program_ids(document()->scene()) : std::vector<ProgramId>{};
     session_.reload();
-    if (document()) carry_motions(carried_programs(programs, program_ids(document()->scene())), memory.animated);
+    if (document()) carry_sliders(carried_programs(programs, program_ids(document()->scene())), memory);
     if (session_.errors() > before) memory.notice.clear();  // it is older than the edit
     past_.fold(memory.folds);
     if (std::string said = past_.reread(session_, view, memory.animated); !said.empty())

@@ -38,10 +38,10 @@ struct Section {
 
 constexpr double default_period = 4;  // seconds
 
-std::string key_of(const Control& control) { return fmt::format("{}.{}", control.program, control.name); }
+std::pair<Index, std::string> key_of(const Control& control) { return {control.program, control.name}; }
 
 bool is_logarithmic(const Control& control, const Section& section) {
-    const std::set<std::string>& chosen = section.memory.logarithmic;
+    const auto& chosen = section.memory.logarithmic;
     return !chosen.empty() && control.min > 0 && chosen.contains(key_of(control));
 }
 

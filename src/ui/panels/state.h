@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "parser/scene.h"
@@ -219,9 +220,8 @@ struct Memory {
     std::uint64_t revision = 0;       // the revision whose problems are hidden
     std::set<std::string> dismissed;  // messages of MessageBox that the user dismissed
     SliderMemory slider;
-    // Names of the sliders that are logarithmic, as "program.name" with the program's index.
-    std::set<std::string> logarithmic;
-    std::vector<Animated> animated;  // the sliders that move by themselves
+    std::set<std::pair<Index, std::string>> logarithmic;  // the sliders that are, by program and name
+    std::vector<Animated> animated;                       // the sliders that move by themselves
     bool animating() const { return !animated.empty(); }
     bool accuracy_in_sight() const { return accuracy.open && tab == Tab::tools && panel; }
     std::array<char, 64> filter{};  // shows only sliders with this text in their names; empty: all

@@ -1,4 +1,6 @@
 // Undo and redo, and values of what is gone for a while.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "tests/gui/history/past.h"
@@ -56,7 +58,7 @@ TEST_F(Past, EveryChangeIsUndoneAndTheFirstPictureIsBackToTheBit) {
 
 TEST_F(Past, ProgramsOfOneNameKeepTheirOwnValuesAndSnapshots) {
     const std::string begin = "Perspective 50\nLookAt 0 0 4  0 0 0  0 1 0\nBackground 0 0 0\nVertex paint.vert\n",
-                      rest = " uRed <0. .2 1.>\nQuadXY 0. 1. 2 2\n",
+                      rest = " uRed <.1 .2 1.>\nQuadXY 0. 1. 2 2\n",
                       first = "Fragment paint.frag\nProgram Paint" + rest,
                       second = "Fragment other.frag\nProgram Paint" + rest;
     for (const char* name : {"paint.frag", "other.frag"})
@@ -82,12 +84,18 @@ TEST_F(Past, ProgramsOfOneNameKeepTheirOwnValuesAndSnapshots) {
     settle();
     EXPECT_EQ(value("Paint.uRed"), .75);
     EXPECT_EQ(value("Paint#2.uRed"), .2);
+    click("uRed.name", .5, 3);
+    click("uRed.logarithmic");
+    press("Escape");
     animate("uRed");
     ASSERT_TRUE(wait([](const json& s) { return s["controls"]["Paint#2.uRed"][0] > .3; }));
     save("one.glib", begin + first);
     ASSERT_TRUE(wait([&](const json& s) { return read(s, 3); }));
     const double moving = value("Paint.uRed");
     EXPECT_TRUE(wait([&](const json& s) { return s["controls"]["Paint.uRed"][0] != moving; })) << "it moves still";
+    click("Paint.uRed", .5);
+    settle();
+    EXPECT_NEAR(value("Paint.uRed"), std::sqrt(.1), .03) << "and is logarithmic";
 }
 
 TEST_F(Past, AValueThatAnEditReplacedComesBack) {
