@@ -177,26 +177,33 @@ TEST_F(SavedPicture, ASequenceBeginsWithTheScenesTimeAndTheWindowsSize) {
     save_moving("3");
     open("scene.glib", {"--size", "640x480"});
     user("key space");
-    const auto command = [this] {
-        choose("save", "sequence");
+    const auto command = [this](const std::string& item) {
+        choose("save", item);
         click("picture command");
         const std::string text = state()["notice"];
         user("key Escape");
         settle();
         return text;
     };
-    const std::string first = command();
-    EXPECT_NE(first.find("--frames 75 --fps 25"), std::string::npos) << first;
-    EXPECT_NE(first.find("scene.png"), std::string::npos) << first;
-    for (const char* name : {"other.glib", "scene.glib"}) {
+    const auto show = [this](const std::string& name) {
         user("key ctrl+o");
         settle();
-        user("type --delay 8 " + std::string(name));
+        user("type --delay 8 " + name);
         user("key Return");
-        ASSERT_TRUE(wait([&](const json& s) { return s["file"].get<std::string>().ends_with(name); }));
+        EXPECT_TRUE(wait([&](const json& s) { return s["file"].get<std::string>().ends_with(name); }));
         settle();
-    }
-    EXPECT_EQ(command(), first);
+    };
+    const std::string first = command("sequence");
+    EXPECT_NE(first.find("--frames 75 --fps 25"), std::string::npos) << first;
+    EXPECT_NE(first.find("scene.png"), std::string::npos) << first;
+    show("other.glib");
+    choose("save", "picture");
+    type("picture width", "300", Field::number);
+    user("key Escape");
+    const std::string again = command("picture");
+    EXPECT_NE(again.find("--size 300x"), std::string::npos) << "what was typed stays as long as the scene: " << again;
+    show("scene.glib");
+    EXPECT_EQ(command("sequence"), first);
 }
 
 // Half a period later the slider is at the mirrored place of its range.
