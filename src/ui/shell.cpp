@@ -25,7 +25,8 @@ namespace {
 
 // Returns a label such as "Glass : uEta =     1.1000", in glman's format.
 Text label_of(const Scene& scene, const Control& control) {
-    Text text(program_name(scene, control.program));
+    Text text(scene.programs[control.program].name);
+    if (const std::size_t earlier = earlier_of_name(scene, control.program)) text.add("#{}", earlier + 1);
     text.add(" : {} = ", control.name);
     if (control.type == ValueType::bool_) return std::move(text.append(control.value[0] != 0 ? "true" : "false"));
     for (std::size_t i = 0; i < control.value.size(); ++i) {

@@ -272,11 +272,11 @@ TEST_F(AccuracyPanel, SaysHowTheTwoTimesAreMeant) {
     values_.clock = "process CPU time";
     facts_.samples = 4;
     EXPECT_EQ(
-        basis_text(facts_),
+        basis_text(facts_).view(),
         "ms/sample compares rungs: process CPU time of all cores with one sample per pixel. The last picture's time "
         "is the wait for it, with 4 samples per pixel.");
     facts_.states = &states_;
-    EXPECT_TRUE(basis_text(facts_).ends_with("4 samples per pixel in both states.")) << basis_text(facts_);
+    EXPECT_TRUE(basis_text(facts_).view().ends_with("4 samples per pixel in both states."));
 }
 
 TEST_F(AccuracyPanel, ColumnsAreHeaded) {

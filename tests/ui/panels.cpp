@@ -221,7 +221,7 @@ TEST_F(UiTest, SectionsAreRememberedByTheirSceneAndName) {
     EXPECT_TRUE(has("Glass.uEta"));
     click(place("Glass"));
     EXPECT_FALSE(has("Glass.uEta"));
-    EXPECT_EQ(memory_.folds, (std::map<std::string, bool>{{"Glass#0", false}}));
+    EXPECT_EQ(memory_.folds, (Folds{{"Glass#0", false}}));
     FileRow other;
     other.path = "/second.glib";
     facts_.files = {&other, 1};

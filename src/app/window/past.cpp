@@ -32,8 +32,8 @@ bool same_values(const Controls& a, const Controls& b) {
 
 constexpr std::string_view fold_option = "--fold ";
 
-std::map<std::string, bool> folds_in(const Setup& setup) {
-    std::map<std::string, bool> folds;
+ui::Folds folds_in(const Setup& setup) {
+    ui::Folds folds;
     for (const auto& [key, value] : setup)
         if (key.starts_with(fold_option)) folds[key.substr(fold_option.size())] = value == "open";
     return folds;
@@ -182,7 +182,7 @@ Remembered Past::state(Session& session, const View& view, bool axes) const {
     return kept;
 }
 
-void Past::fold(const std::map<std::string, bool>& folds) {
+void Past::fold(const ui::Folds& folds) {
     changed_ |= folds != folds_;
     folds_ = folds;
 }

@@ -57,8 +57,8 @@ public:
     std::size_t steps() { return name_.empty() ? 0 : history().done(); }
 
     // Which sections of the scene's programs the user has opened or folded: as they were last, and as they are now.
-    const std::map<std::string, bool>& folds() const { return folds_; }
-    void fold(const std::map<std::string, bool>& folds);
+    const ui::Folds& folds() const { return folds_; }
+    void fold(const ui::Folds& folds);
     // Writes what is kept of the scene, if it changed.
     void write(Session& session, const View& view);
     // Makes the scene that the document was saved as begin with this view, and with the values that are not in the
@@ -73,7 +73,7 @@ private:
     std::string folder_;
     std::string name_;  // of the open scene; empty until it could be read
     Remembered kept_;   // as read, then as written last
-    std::map<std::string, bool> folds_;
+    ui::Folds folds_;
     Histories histories_;
     bool flat_ = false, axes_ = true, first_axes_ = true;  // axes_: as in the last scene that was not flat
     bool continued_ = false;                               // the scene, once it can be read, begins as the view is

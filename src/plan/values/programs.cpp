@@ -62,11 +62,15 @@ std::vector<ProgramId> program_ids(const Scene& scene) {
     return ids;
 }
 
+std::size_t earlier_of_name(const Scene& scene, Index program) {
+    const auto end = scene.programs.begin() + static_cast<std::ptrdiff_t>(program);
+    return static_cast<std::size_t>(std::count_if(
+        scene.programs.begin(), end, [&](const Program& other) { return other.name == scene.programs[program].name; }));
+}
+
 std::string program_name(const Scene& scene, Index program) {
-    const auto& all = scene.programs;
-    const std::string& name = all[program].name;
-    const auto before =
-        std::count_if(all.begin(), all.begin() + program, [&](const Program& other) { return other.name == name; });
+    const std::string& name = scene.programs[program].name;
+    const std::size_t before = earlier_of_name(scene, program);
     return before == 0 ? name : fmt::format("{}#{}", name, before + 1);
 }
 

@@ -1,6 +1,7 @@
 // Programs of a scene that are told apart, and found again in another text of it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct ProgramId {
 };
 std::vector<ProgramId> program_ids(const Scene& scene);
 
+// The number of programs before it that have its name.
+std::size_t earlier_of_name(const Scene& scene, Index program);
 // "Glass", or "Glass#2" for the second program of that name, as in `--set`.
 std::string program_name(const Scene& scene, Index program);
 std::vector<std::string> program_names(const std::vector<ProgramId>& programs);

@@ -205,7 +205,7 @@ bool ladder_part(const Facts& all, Controls& controls, AccuracyMemory& memory, L
     const bool measure = plot_tools(scene.ladders, facts, memory, layout);
     accuracy_plot(facts.points, memory.plot, layout);
     rung_table(scene.ladders[memory.ladder], facts, controls.rungs[memory.ladder], layout);
-    wrapped(basis_text(all), true);
+    wrapped(basis_text(all).view(), true);
     layout.note("accuracy.basis");
     if (!facts.remark.empty()) wrapped(facts.remark, true);
     return measure;
@@ -264,9 +264,9 @@ void state_button(const StateFacts& facts, std::size_t index, float width, Accur
 
 }  // namespace
 
-std::string basis_text(const Facts& facts) {
+Text basis_text(const Facts& facts) {
     const std::string_view clock = facts.accuracy->clock;
-    return fmt::format(
+    return Text(
         "ms/sample compares rungs: {}{} with one sample per pixel. The last picture's time is the wait for it, with {} "
         "per pixel{}.",
         clock, clock == "process CPU time" ? " of all cores" : "",

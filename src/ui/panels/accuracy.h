@@ -111,7 +111,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
 
 std::string milliseconds_text(double milliseconds);
 // How the times of rungs and that of the window's picture are meant, which are not to be compared.
-std::string basis_text(const Facts& facts);
+Text basis_text(const Facts& facts);
 std::string error_text(double error);  // ".0031"; "none" if it is only rounding, "unknown" if it is NaN
 // Of the picture that is shown; if it is that of a found rung, with the rung's own, where they differ.
 Text error_line(double error, const FoundRow* rung);

@@ -485,10 +485,10 @@ std::string own_files(const Scene& scene, const Program& program) {
 
 // Draws the title; returns whether the section is open. While a filter is set, sections are open for themselves.
 // `label`: what tells it from the scene's others.
-bool header(Controls& controls, Index index, const Section& section, std::string_view files, const std::string& label,
+bool header(Controls& controls, Index index, const Section& section, std::string_view files, std::string_view label,
             bool open_at_first, bool unfolds) {
     const bool filtered = section.memory.filter[0] != '\0';
-    std::map<std::string, bool>& folds = section.memory.folds;
+    Folds& folds = section.memory.folds;
     const auto fold = folds.find(label);
     const bool opens = filtered || unfolds || (fold == folds.end() ? open_at_first : fold->second);
     if (opens || fold != folds.end()) ImGui::SetNextItemOpen(opens, unfolds ? ImGuiCond_Always : ImGuiCond_Once);
@@ -497,7 +497,9 @@ bool header(Controls& controls, Index index, const Section& section, std::string
     const auto moved = [](const Control& c) { return c.value != c.initial; };
     const auto moving = [&](const Animated& motion) { return motion.program == index; };
     const bool resets = any(controls, index, moved) || ranges::any_of(section.memory.animated, moving);
-    Text wanted((name.empty() ? "Program" : "") + program_name(*section.facts.scene, index));
+    Text wanted(name.empty() ? std::string_view("Program") : name);
+    // As in `snell render --set`.
+    if (const std::size_t earlier = earlier_of_name(*section.facts.scene, index)) wanted.add("#{}", earlier + 1);
     wanted.append(files);
     // The title has what the button leaves, which is there only where something can be reset.
     const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight();
@@ -508,7 +510,7 @@ bool header(Controls& controls, Index index, const Section& section, std::string
     const bool whole = title == wanted.view();
     const bool open =
         ui::header(title.append(filtered ? "###found" : "###program").c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
-    if (!filtered && !unfolds && before >= 0 && open != (before != 0)) folds[label] = open;
+    if (!filtered && !unfolds && before >= 0 && open != (before != 0)) folds.insert_or_assign(std::string(label), open);
     if (!whole) tip(wanted.view());
     section.layout.note(name);
     section.layout.note("title", wanted.view());
@@ -538,7 +540,7 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
                                               ranges::equal(other.stages, section.program.stages, same_file);
                                    }));
     ImGui::PushID(named.begin(), named.end());
-    if (header(controls, index, section, files, std::string(named.view()), open_at_first, unfolds)) {
+    if (header(controls, index, section, files, named.view(), open_at_first, unfolds)) {
         const ImGuiStyle& style = ImGui::GetStyle();
         const float indent = style.FramePadding.x * .5F;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, std::round(style.ItemSpacing.y * .8F)});

@@ -202,6 +202,9 @@ enum class Menu : std::uint8_t { none, open, closing };
 
 inline constexpr float usual_problems = .3F;
 
+// Sections of the scene's programs that the user has opened (true) or folded, by what tells them apart.
+using Folds = std::map<std::string, bool, std::less<>>;
+
 struct Memory {
     bool panel = true;  // false: only the picture is shown
     double hint = 0;    // seconds that the hint is shown that tells how to show the panel
@@ -211,8 +214,7 @@ struct Memory {
     bool always_sharp = false;  // pictures are not drawn coarser while something is dragged
     float zoom = 1;             // factor for text and widgets, in addition to the screen's
     Titles open;                // titles of the open sections
-    // Sections of the scene's programs that the user has opened (true) or folded, by what tells them apart.
-    std::map<std::string, bool> folds;
+    Folds folds;
     bool warnings_open = false;
     bool problems_hidden = false;
     float problems_height = usual_problems;  // of the list, as a part of the picture's height
