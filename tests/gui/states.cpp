@@ -160,8 +160,30 @@ TEST_F(States, AreMarkedEachByItsOwnValues) {
         user("key Return");
         settle();
     }
+    // What is said without marks is of what is seen, too.
+    const auto told = [&] {
+        EXPECT_TRUE(wait([](const json& s) { return s["nan"]["text"] != ""; }));
+        return std::stoi(state()["nan"]["text"].get<std::string>().substr(7));
+    };
+    const int before = told(), looks = state()["nan"]["looks"];
+    const auto [x, y] = on("accuracy.divider");
+    drag({x, y + 90}, {x - 90, y + 90});
+    const int less = told();
+    EXPECT_LT(less, before * 3 / 4) << "of the left side less is seen";
+    EXPECT_EQ(state()["nan"]["looks"], looks);
+    click("accuracy.other");
+    settle();
+    EXPECT_EQ(state()["nan"]["text"], "") << "the heat map has no marks";
+    click("accuracy.other");
+    settle();
+    EXPECT_EQ(told(), less);
+    drag({x - 90, y + 90}, {x, y + 90});
     user("key n");
     settle();
+    double nans = 0;
+    const json flags = state()["pixels"]["flags"];
+    for (const json& counts : flags) nans += counts["NaN"].get<double>();
+    EXPECT_NEAR(before, 100 * nans / (area[2] * area[3]), 1.5);
     // Wherever the pointer is.
     for (const int off : {-60, 60}) {
         user(fmt::format("mousemove {} {}", area[0] + area[2] / 2 + off, area[1] + area[3] / 2 + 40));
@@ -170,7 +192,6 @@ TEST_F(States, AreMarkedEachByItsOwnValues) {
     }
     keep("states-marks");
     const int frames = state()["counters"]["frames"];
-    const auto [x, y] = on("accuracy.divider");
     drag({x, y + 90}, {x - 90, y + 90});
     EXPECT_NEAR(static_cast<double>(column()), area[2] / 2 - 90, 3);
     expect_marks(nan, above, "the divider was moved");

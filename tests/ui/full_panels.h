@@ -197,7 +197,7 @@ public:
         const Tab tab = memory_.tab;
         two_states();
         memory_.tab = tab;
-        facts_.nan = "NaN in under 1 % of both sides: N shows it";
+        facts_.nan = "NaN in under 1 %: N shows it";
         memory_.failures.add({"there is no snapshot 5. Ctrl+5 stores one", Failure::Remedy::absent, {}, 5});
     }
     void costs() {

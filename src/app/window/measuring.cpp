@@ -40,10 +40,20 @@ const Stand& Measuring::measured(const Display& display) {
     return measured_;
 }
 
-bool Measuring::look_for_nan(Document& scene, const Display& display) {
-    std::vector<Document*> both{&shown(scene)};
-    if (Document* const right = beside(scene)) both.push_back(right);
-    return watch_.look(both, display.drawn().stand, display.counters().frame_ms);
+bool Measuring::watches(const Document& scene, const Display& display, const ui::Memory& memory, double now) const {
+    return watch_.due(now) && display.drawn().grain == 0 && !memory.pixels.flags && !heat(memory) &&
+           !scene.diagnostics.has_errors();
+}
+
+void Measuring::look_for_nan(Document& scene, const Display& display) {
+    std::vector<Document*> halves{half(scene, false)};
+    if (beside(scene)) halves.push_back(half(scene, true));
+    watch_.look(halves, display.drawn().stand, display.counters().frame_ms);
+}
+
+Document* Measuring::half(Document& scene, bool right) {
+    if (!found_.rung() && !states_.shows(right)) return nullptr;
+    return right ? beside(scene) : &shown(scene);
 }
 
 bool Measuring::follow(Document& scene, const Session& session, const Display& display, bool still,
@@ -53,7 +63,7 @@ bool Measuring::follow(Document& scene, const Session& session, const Display& d
     if (still) lasting.stand.time = stand.time;
     lasting.rungs = display.drawn().rungs;
     lasting.showing = display.drawn().showing;
-    const bool forgot = watch_.follow(lasting, now);
+    watch_.follow(lasting, now);
     // Of a scene that never was without errors, the picture is incomplete.
     const bool stale = session.stale() || scene.diagnostics.has_errors();
     const std::string& failed = session.failed_rungs();
@@ -68,28 +78,28 @@ bool Measuring::follow(Document& scene, const Session& session, const Display& d
     const bool sharp = display.drawn().grain == 0;
     const bool opened =
         frame_costs_.open(memory.frame_cost, display.drawn().revision, sharp ? display.counters().frame_ms : 0);
-    if (memory.scene.width <= 0) return opened || found || forgot;
+    const bool nan = watch_.tell(divider(watch_.width(), memory.accuracy), heat(memory));
+    if (memory.scene.width <= 0) return opened || found || nan;
     const float density = static_cast<float>(stand.width) / memory.scene.width;
     const bool texels =
         textures_.follow(document, display.drawn().revision, display.counters().frames, memory, density);
-    const bool heat = states_.active() && memory.accuracy.show == ui::AccuracyMemory::Show::heat;
-    PixelView::Sight sight{.heat = heat, .stand = stand, .picture = display.counters().frames, .density = density};
+    PixelView::Sight sight{
+        .heat = heat(memory), .stand = stand, .picture = display.counters().frames, .density = density};
     sight.lasts = display.lasts();
     sight.sharp = sharp && display.sharp_share() == 0;
     const std::optional<int> column = divider(stand.width, memory.accuracy);
-    const auto add = [&](bool right, Document& half, const std::string& rung) {
+    const auto add = [&](bool right, const std::string& rung) {
         const std::string name = !found_.rung() ? states_.text(right) : rung;
-        sight.halves.push_back({found_.rung() || states_.shows(right) ? &half : nullptr,
-                                column || heat ? (right ? "right: " : "left: ") + name : ""});
+        sight.halves.push_back({half(scene, right), column || sight.heat ? (right ? "right: " : "left: ") + name : ""});
     };
-    add(false, document, found_text());
-    if (column) add(true, *beside(scene), "the scene as it is");
+    add(false, found_text());
+    if (column) add(true, "the scene as it is");
     sight.divider = column.value_or(0);
     bool pixels = pixels_.follow(sight, memory.pixels);
-    const Inspection* const inspected = heat ? pixels_.inspection() : nullptr;
+    const Inspection* const inspected = sight.heat ? pixels_.inspection() : nullptr;
     pixels |= pixels_.set_difference(inspected ? accuracy_.difference(inspected->x, inspected->y, memory.accuracy)
                                                : std::nullopt);
-    return pixels || opened || texels || found || forgot;
+    return pixels || opened || texels || found || nan;
 }
 
 bool Measuring::step(Document* document, const std::function<void()>& alive) {

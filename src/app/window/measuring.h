@@ -61,11 +61,9 @@ public:
     bool follow(Document& document, const Session& session, const Display& display, bool still,
                 const ui::Memory& memory, double now);
     // True if look_for_nan() has something to do.
-    bool watches(const Document& scene, const Display& display, const ui::Memory& memory, double now) const {
-        return watch_.due(now) && display.drawn().grain == 0 && !memory.pixels.flags && !scene.diagnostics.has_errors();
-    }
-    // Returns true if the panels must be shown again.
-    bool look_for_nan(Document& scene, const Display& display);
+    bool watches(const Document& scene, const Display& display, const ui::Memory& memory, double now) const;
+    // Call follow() after it, which tells what was found.
+    void look_for_nan(Document& scene, const Display& display);
     // True if step() has something to do.
     bool busy() const { return accuracy_.busy() || frame_costs_.busy() || linking_ || found_.busy(); }
     // How much is drawn of a picture with marks of pixels, where that takes long.
@@ -91,6 +89,11 @@ public:
 
 private:
     std::string found_text() const;
+    // What one half of the window shows; null: there is no picture of that state.
+    Document* half(Document& scene, bool right);
+    bool heat(const ui::Memory& memory) const {
+        return states_.active() && memory.accuracy.show == ui::AccuracyMemory::Show::heat;
+    }
     // The window's picture, or a smaller one of the same where it takes too long.
     const Stand& measured(const Display& display);
 

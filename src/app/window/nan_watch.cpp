@@ -3,45 +3,59 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <numeric>
 #include <utility>
-
-#include "src/app/picture/non_finite.h"
 
 namespace snell {
 
-bool NanWatch::follow(const Drawn& shown, double now) {
-    if (shown_ == shown) return false;
+void NanWatch::follow(const Drawn& shown, double now) {
+    if (shown_ == shown) return;
     if (shown_.revision != shown.revision) slow_ = 0;
     shown_ = shown;
     since_ = now;
     looked_ = slow_ > 1;  // the first one may compile
-    return !std::exchange(text_, {}).empty();
+    columns_.clear();
 }
 
-bool NanWatch::look(std::span<Document* const> shown, const Stand& stand, double milliseconds) {
+void NanWatch::look(std::span<Document* const> shown, const Stand& stand, double milliseconds) {
     using Clock = std::chrono::steady_clock;
     constexpr double most = 25;  // milliseconds, as far as the sharp picture tells
     int divide = 4;
     while (divide < 16 && milliseconds / divide / divide > most) divide *= 2;
     const Stand small = smaller(stand, divide);
     const Clock::time_point start = Clock::now();
-    std::size_t nan = 0;
+    FloatPicture picture;
+    if (!picture.resize(small.width, small.height)) shown = {};
+    std::vector<float> rgba;
     for (Document* const document : shown) {
+        columns_.emplace_back();
+        if (!document) continue;
         View view;
-        const Frame frame = drawn_again(*document, small, view);
-        if (const auto found = app::count_non_finite(*document->runtime, frame, small.width, small.height))
-            nan += found->nan;
+        picture.draw(*document->runtime, drawn_again(*document, small, view), rgba);
+        columns_.back() = count_flags(rgba, small.width);
     }
+    width_ = small.width;
     ++looks_;
     looked_ = true;
     const double took = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     slow_ = took > Coarseness::patience && took > milliseconds / 4 ? slow_ + 1 : 0;
-    if (nan == 0) return false;
-    const double pixels = static_cast<double>(shown.size()) * small.width * small.height;
-    const double percent = 100 * static_cast<double>(nan) / pixels;
-    text_ = fmt::format("NaN in {} %{}: N shows it", percent < 1 ? "under 1" : fmt::format("{:.0f}", percent),
-                        shown.size() > 1 ? " of both sides" : "");
-    return true;
+}
+
+bool NanWatch::tell(std::optional<int> divider, bool hidden) {
+    std::size_t nan = 0, pixels = 0;
+    for (std::size_t i = 0; i < columns_.size() && !hidden; ++i)
+        for (int x = 0; x < static_cast<int>(columns_[i].size()); ++x) {
+            if (divider && columns_.size() > 1 && (x < *divider) != (i == 0)) continue;
+            const FlagCounts& column = columns_[i][static_cast<std::size_t>(x)];
+            nan += column[Flag::nan];
+            pixels += std::accumulate(column.pixels.begin(), column.pixels.end(), std::size_t{0});
+        }
+    std::string text;
+    if (nan > 0) {
+        const double percent = 100 * static_cast<double>(nan) / static_cast<double>(pixels);
+        text = fmt::format("NaN in {} %: N shows it", percent < 1 ? "under 1" : fmt::format("{:.0f}", percent));
+    }
+    return std::exchange(text_, text) != text;
 }
 
 }  // namespace snell
