@@ -39,7 +39,8 @@ public:
         std::size_t told = 0;
         std::unique_lock lock(mutex_);
         while (true) {
-            const auto first = ranges::find(done_, false);
+            // The first one is told even if all are done by now, as on a busy machine.
+            const auto first = told == 0 ? done_.begin() : ranges::find(done_, false);
             const std::string_view name =
                 first == done_.end() ? ""
                                      : std::string_view(jobs_[static_cast<std::size_t>(first - done_.begin())].name);
