@@ -85,7 +85,8 @@ void draw(const Facts& facts, const Part& part, bool errors, Memory& memory, Lay
                 .view());
     if (std::string_view(part.name) == "notice") tip(memory.notice);
     if (std::string_view(part.name) == "status.nan")
-        tip("pixels that are not a number, which show as any colour\ncounted in a small picture, which may miss single "
+        tip("pixels that are not a number, or an infinite one, which show as any colour\ncounted in a small picture, "
+            "which may miss single "
             "ones; N marks all");
     layout.note(part.name);
 }

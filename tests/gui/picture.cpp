@@ -91,6 +91,16 @@ TEST_F(SavedPicture, TimeStandsWhileTheDialogIsOpen) {
     ASSERT_EQ(shell(command), 0) << command;
     EXPECT_TRUE(read_picture("moment.png").rgb == saved.rgb) << command;
     EXPECT_TRUE(wait([&](const json& s) { return s["time"] > stands; })) << "time goes on";
+    // From where it stood, and not from where it would be now.
+    choose("save", "picture");
+    ASSERT_TRUE(wait([](const json& s) { return s["widgets"].contains("picture time"); }));
+    const double again = state()["time"];
+    user("sleep 2");
+    const auto closed = std::chrono::steady_clock::now();
+    user("key Escape");
+    ASSERT_TRUE(wait([&](const json& s) { return s["time"] > again; }));
+    const double passed = state()["time"].get<double>() - again;
+    EXPECT_LT(passed, std::chrono::duration<double>(std::chrono::steady_clock::now() - closed).count() + .1);
 }
 
 TEST_F(SavedPicture, WhatIsThereIsReplacedOnlyWhenAsked) {

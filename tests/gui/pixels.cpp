@@ -132,8 +132,18 @@ TEST_F(Pixels, NaNIsSaidWithoutBeingAskedFor) {
          "#version 330 compatibility\nuniform float uZero, uMost;\nin vec2 vST;\n"
          "void main() { gl_FragColor = vec4(sqrt(vST.s > .99 ? -1. - uMost : 1.), uZero, 0., 1.); }\n");
     said("NaN in under 1 %:", 3);
+    save("odd.frag",
+         "#version 330 compatibility\nuniform float uZero, uMost;\nin vec2 vST;\n"
+         "void main() { float none = 0. * uMost;\n"
+         "gl_FragColor = vec4(vST.s > .99 ? none / none : vST.t > .5 ? 1. / none : 1., uZero, 0., 1.); }\n");
+    const std::string both = said("NaN in under 1 %, infinite in ", 4);
+    press("n");
+    EXPECT_NEAR(std::stoi(both.substr(29)),
+                100 * state()["pixels"]["flags"]["infinite"].get<double>() / (area[2] * area[3]), 1.5)
+        << both;
+    press("n");
     user("key s");
-    said("NaN in under 1 %:", 4);
+    said("NaN in under 1 %, infinite in ", 5);
     EXPECT_EQ(state()["gl_errors"].size(), 0U);
 }
 

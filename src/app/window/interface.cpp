@@ -63,7 +63,9 @@ void Interface::loading(const LoadProgress& progress) {
 double Interface::time(bool stopped) {
     const double now = window_.now();
     ui::Clock& clock = memory_.clock;
-    if (!held() && !clock.paused && !stopped) clock.time += (now - ticked_) * clock.speed;
+    // While it stands nobody may call this, so that what passed until it goes on is not known, and not added.
+    const bool stands = held() || clock.paused || stopped;
+    if (!std::exchange(stood_, stands) && !stands) clock.time += (now - ticked_) * clock.speed;
     ticked_ = now;
     return clock.time;
 }

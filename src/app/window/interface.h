@@ -69,6 +69,7 @@ private:
     View view_;
     std::uint64_t picture_ = 0;
     double framed_ = 0, ticked_ = 0;  // when frame() and time() were called last
+    bool stood_ = false;              // the scene's time did not pass then
 };
 
 // Picks and moves objects. It does nothing until the first object is picked.

@@ -42,19 +42,21 @@ void NanWatch::look(std::span<Document* const> shown, const Stand& stand, double
 }
 
 bool NanWatch::tell(std::optional<int> divider, bool hidden) {
-    std::size_t nan = 0, pixels = 0;
+    FlagCounts seen;
     for (std::size_t i = 0; i < columns_.size() && !hidden; ++i)
         for (int x = 0; x < static_cast<int>(columns_[i].size()); ++x) {
             if (divider && columns_.size() > 1 && (x < *divider) != (i == 0)) continue;
-            const FlagCounts& column = columns_[i][static_cast<std::size_t>(x)];
-            nan += column[Flag::nan];
-            pixels += std::accumulate(column.pixels.begin(), column.pixels.end(), std::size_t{0});
+            seen += columns_[i][static_cast<std::size_t>(x)];
         }
+    const auto pixels = static_cast<double>(std::accumulate(seen.pixels.begin(), seen.pixels.end(), std::size_t{0}));
     std::string text;
-    if (nan > 0) {
-        const double percent = 100 * static_cast<double>(nan) / static_cast<double>(pixels);
-        text = fmt::format("NaN in {} %: N shows it", percent < 1 ? "under 1" : fmt::format("{:.0f}", percent));
+    for (const Flag flag : {Flag::nan, Flag::infinite}) {
+        if (seen[flag] == 0) continue;
+        const double percent = 100 * static_cast<double>(seen[flag]) / pixels;
+        text += fmt::format("{}{} in {} %", text.empty() ? "" : ", ", name(flag),
+                            percent < 1 ? "under 1" : fmt::format("{:.0f}", percent));
     }
+    if (!text.empty()) text += ": N shows it";
     return std::exchange(text_, text) != text;
 }
 

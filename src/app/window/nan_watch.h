@@ -1,5 +1,6 @@
-// Looks for NaN without being asked: a picture of bytes shows it as a colour like others. What is looked at is a small
-// picture in floats, once after each change, when the window's picture is sharp and has not changed for a moment.
+// Looks for NaN and infinity without being asked: a picture of bytes shows them as colours like others. What is looked
+// at is a small picture in floats, once after each change, when the window's picture is sharp and has not changed for a
+// moment.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,7 @@ public:
     // `hidden`. Returns true if something else is said.
     bool tell(std::optional<int> divider, bool hidden);
     int width() const { return width_; }
-    // How much is NaN; empty if nothing was seen.
+    // How much is NaN or infinite; empty if nothing was seen.
     const std::string& text() const { return text_; }
     // How often the window was looked at so far.
     std::uint64_t looks() const { return looks_; }
