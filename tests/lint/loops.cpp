@@ -171,7 +171,7 @@ TEST(LintLoops, AStepOfAnotherLoopsCounter) {
     };
     for (const auto& [outer, inner, values, expected] :
          {Row{"int i = 0; i < 10; i++", "int j = 0; j < 10; i++", "", "go round for ever"},
-          Row{"int i = 0; i < uN; i++", "int j = 0; j < uN; i++", "uN <1 2 4>", "may go round for ever"},
+          Row{"int i = 0; i < uN; i++", "int j = 0; j < uN; i++", "uN <1 2 4>", "go round for ever"},
           Row{"int i = 0; i < uN; i++", "int j = 0; j < uN; i++", "uN <0 1 4>", "may go round for ever"},
           Row{"int i = 0; i < uN; i++", "int j = 0; j < uN; i++", "uN 4", "go round for ever"},
           Row{"int i = 0; i < 10; i++", "int j = 0; j < 10; j++, i++", "", ""},
