@@ -126,8 +126,6 @@ Walker::Expr Walker::choose(const std::vector<int>& parts) {
     apart([&] { b = evaluate(parts[2]); });
     conditions_end(parts[0]);
     a.v = either(a.v, b.v);
-    // A comparison chose the value, so it is unknown which bound is reached.
-    a.v.range.real_lo = a.v.range.real_hi = false;
     a.v.varies = together(a.v.varies, condition.v.varies);
     a.slot = -1;
     return a;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "parser/text/ranges.h"
@@ -16,8 +15,6 @@ namespace {
 
 using glsl::Form;
 using glsl::Node;
-
-constexpr double endless = std::numeric_limits<double>::infinity();
 
 constexpr std::string_view go_round_text = "the loops of this shader go round ";
 constexpr std::string_view may_go_round_text = "the loops of this shader may go round ";  // at the end of a slider
@@ -74,10 +71,17 @@ void Walker::apart(const std::function<void()>& walk) {
     counters_ = std::move(counters);
 }
 
-bool Walker::stored(int variable, int node) const {
-    bool found = false;
-    each_stored(u_, at(node).begin, node, [&](int other) { found = found || other == variable; });
-    return found;
+bool Walker::stored(int variable, int node) const { return stores(u_, variable, at(node).begin, node); }
+
+// In what each round runs.
+bool Walker::stored(int variable, const Loop& loop) const {
+    return stores(u_, variable, std::min(at(loop.condition).begin, at(loop.body).begin),
+                  std::max(loop.condition, loop.body));
+}
+
+std::optional<glsl::Comparison> Walker::comparison(const Loop& loop) const {
+    return comparison_of(u_, loop.condition, std::min(at(loop.condition).begin, at(loop.body).begin),
+                         std::max(loop.condition, loop.body));
 }
 
 // What each round does with the variable, in order, a slider's step where it is shortest; nullopt: it is not known.
@@ -109,6 +113,7 @@ bool Walker::take_shortest(Update& update, int variable, const Loop& loop) {
     if (moves(update.amount, loop)) return false;
     const Range step = evaluate(update.amount).v.range;
     if (!step.real_lo || !step.real_hi) return false;
+    if (update.op != '+' && update.op != '-' && step != exactly(step.lo)) return true;  // no value of it is shortest
     update.by = step.lo <= 0 && step.hi >= 0 ? 0 : step.lo > 0 ? step.lo : step.hi;
     if (step == exactly(step.lo)) update.amount = -1;
     return true;
@@ -146,8 +151,7 @@ bool Walker::stays_true(const Loop& loop) {
 // Whether a bound may be another one in the next round.
 bool Walker::moves(int bound, const Loop& loop) const {
     for (int k = at(bound).begin; k <= bound; ++k)
-        if (const Node& n = at(k); n.form == Form::call || (n.variable >= 0 && stored(n.variable, loop.body)))
-            return true;
+        if (const Node& n = at(k); n.form == Form::call || (n.variable >= 0 && stored(n.variable, loop))) return true;
     return false;
 }
 
@@ -160,15 +164,13 @@ double Walker::rounds_of(const Loop& loop) {
     const std::vector<int> sides = parts(loop.condition);
     if (test.form == Form::infix && at(sides[0]).value.size() == 1 && at(sides[1]).value.size() == 1)
         return holds(at(sides[0]).value.front(), test.text, at(sides[1]).value.front()) ? endless : 0;
-    if (test.form != Form::infix || at(sides[0]).form != Form::name || at(sides[0]).variable < 0) return 0;
-    const int variable = at(sides[0]).variable;
-    const std::string_view op = test.text;
-    if (!glsl::compares(op)) return 0;
+    const auto compared = comparison(loop);
+    if (!compared || moves(compared->bound, loop)) return 0;
+    const auto [variable, name, op, limit] = *compared;
     const auto updates = updates_of(variable, loop);
-    if (!updates) return 0;
-    if (moves(sides[1], loop)) return 0;
-    const Value bound = evaluate(sides[1]).v;
-    const glsl::Base base = at(sides[0]).type.base;
+    if (!updates || ranges::any_of(*updates, [](const Update& update) { return std::isnan(update.by); })) return 0;
+    const Value bound = evaluate(limit).v;
+    const glsl::Base base = slot(variable).value.type.base;
     if (base == glsl::Base::uinteger && op == ">=" && bound.range == exactly(0)) return endless;
     const Range& from = slot(variable).value.range;
     const bool exact = from == exactly(from.lo) && bound.range == exactly(bound.range.lo);
@@ -206,16 +208,20 @@ bool may_not_end(const Diagnostics& found) {
     return ranges::count(found.items(), facts(Rule::many_rounds).code, &Diagnostic::code) > 0;
 }
 
-void Walker::go_round(std::optional<double> rounds, int first, int last) {
+void Walker::go_round(std::optional<double> rounds, const Counter& own, int first, int last) {
     if (!rounds || state_.dead || (rounds == endless && (perhaps_ > 0 || state_.returned))) return;
     rounds_ += weight_ * (*rounds + 1);
     if (rounds_ <= most_rounds || told_rounds_) return;
     told_rounds_ = true;
     last = std::min(last, static_cast<int>(u_.tokens.size()) - 1);  // the text may end within the header
+    std::vector<Note> notes;
+    if (rounds == endless && own.counts && own.updates.empty())
+        notes.push_back({span(first, last), fmt::format("no round changes '{}'", own.name)});
     report(Rule::many_rounds, first, last,
            std::string(slides_ || perhaps_ > 0 ? may_go_round_text : go_round_text) + rounds_text(rounds_) +
                ": without a GPU, Mesa's llvmpipe ends them after 65535 (pages: 262143), and the picture is what they "
-               "had by then");
+               "had by then",
+           std::move(notes));
 }
 
 }  // namespace snell::lint

@@ -1,5 +1,6 @@
 // Loops whose bounds depend on the counters of the loops around them: their rounds are summed as the counters go.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parser/text/ranges.h"
@@ -15,21 +16,20 @@ using glsl::Node;
 Walker::Counter Walker::counter_of(const Loop& loop, int begins) {
     Counter counter;
     counter.serial = fresh();
-    const Node& test = at(loop.condition);
-    const std::vector<int> sides = parts(loop.condition);
-    if (test.form != Form::infix || !glsl::compares(test.text) || at(sides[0]).form != Form::name) return counter;
-    const int variable = at(sides[0]).variable;
-    auto updates = variable < 0 ? std::nullopt : updates_of(variable, loop);
-    if (!updates || moves(sides[1], loop)) return counter;
-    counter.variable = variable;
+    const auto compared = comparison(loop);
+    if (!compared) return counter;
+    const int variable = counter.variable = compared->variable;
     if (const Range& from = slot(variable).value.range; from == exactly(from.lo)) counter.from = from.lo;
     const auto defined = defined_.find(variable);
     counter.begin =
         glsl::begin_of(u_, variable, begins).value_or(defined == defined_.end() ? -1 : defined->second.node);
-    counter.bound = sides[1];
-    counter.op = test.text;
-    counter.base = at(sides[0]).type.base;
-    counter.updates = std::move(*updates);
+    counter.bound = compared->bound;
+    counter.op = compared->op;
+    counter.name = compared->name;
+    counter.base = slot(variable).value.type.base;
+    auto updates = moves(compared->bound, loop) ? std::nullopt : updates_of(variable, loop);
+    counter.counts = updates.has_value();
+    if (updates) counter.updates = std::move(*updates);
     return counter;
 }
 
@@ -55,55 +55,96 @@ void Walker::add_needed(int node, std::set<int>& needed) const {
 // On average, of each time that the loop is reached; null: it is not known.
 std::optional<double> Walker::rounds_in(Counter& own, const Loop& loop) {
     std::set<int> needed;
-    if (own.variable >= 0) add_needed(own.bound, needed);
-    if (own.variable >= 0 && !own.from) add_needed(own.begin, needed);
+    if (own.counts) add_needed(own.bound, needed);
+    if (own.counts && !own.from) add_needed(own.begin, needed);
     const auto depends = [&](const Counter& c) { return needed.contains(c.variable); };
+    const bool left = leaves(loop.body, true) || calls_discard(loop.body);
     if (!ranges::any_of(counters_, depends)) {
         own.rounds = rounds_of(loop);
+        if (own.rounds != endless && own.counts && !left && never_ends_somewhere(own, std::move(needed)))
+            slides_ = true, own.rounds = endless;
         return own.rounds > 0 ? std::optional(own.rounds) : std::nullopt;
     }
-    if (told_rounds_ || leaves(loop.body, true) || calls_discard(loop.body)) return std::nullopt;
+    if (told_rounds_ || left) return std::nullopt;
     for (const Counter& c : counters_) {
         add_needed(c.bound, needed);
         if (!c.from) add_needed(c.begin, needed);
     }
-    const auto low = summed(0, own, needed, false), high = summed(0, own, needed, true);
+    const auto low = summed(0, own, needed, {Place::low}), high = summed(0, own, needed, {Place::high});
     if (!low || !high) return std::nullopt;
     const auto slides = [](const Update& update) { return update.amount >= 0; };
     slides_ = slides_ || *low != *high || ranges::any_of(own.updates, slides);
-    return weight_ > 0 ? std::max(*low, *high) / weight_ : 0;
+    const double most = std::max(*low, *high);
+    return most == endless ? most : weight_ > 0 ? most / weight_ : 0;
 }
 
-std::optional<double> Walker::number_of_name(const Node& node, bool high, int serial) {
+// With all sliders at a place of theirs, or with one at an end and the others where they are now.
+bool Walker::never_ends_somewhere(const Counter& own, std::set<int> needed) {
+    for (const Update& update : own.updates) add_needed(update.amount, needed);
+    std::set<int> uniforms;
+    for (const int variable : needed)
+        if (const int uniform = slot(variable).value.uniform; uniform >= 0) uniforms.insert(uniform);
+    if (uniforms.empty()) return false;
+    std::vector<Sliders> places{{Place::low}, {Place::current}, {Place::high}};
+    for (const int uniform : uniforms)
+        for (const Place to : {Place::low, Place::high}) places.push_back({Place::current, uniform, to});
+    const auto never_ends = [&](const Sliders& sliders) {
+        Counter there = own;
+        for (Update& update : there.updates) {
+            if (update.amount < 0) continue;
+            const auto by = number_at(update.amount, sliders, own.serial);
+            if (!by) return false;
+            update.by = *by;
+        }
+        return rounds_at(there, sliders) == endless;
+    };
+    return ranges::any_of(places, never_ends);
+}
+
+// Whether the loop has a round, if it is reached.
+bool Walker::enters(const Counter& own) {
+    const auto begins = [&](Place place) { return begins_at(own, {place}); };
+    constexpr std::array places{Place::low, Place::current, Place::high};
+    const bool some = ranges::any_of(places, begins);
+    slides_ = slides_ || (some && !ranges::all_of(places, begins));
+    return some;
+}
+
+std::optional<double> Walker::number_of_name(const Node& node, const Sliders& sliders, int serial) {
     if (node.variable < 0) return std::nullopt;
     for (const Counter& c : counters_)
         if (c.variable == node.variable) return c.moved || c.serial > serial ? std::nullopt : std::optional(c.value);
     const Value& known = slot(node.variable).value;
     const Range& range = known.range;
-    if (known.uniform >= 0)
-        return range.real_lo && range.real_hi ? std::optional(high ? range.hi : range.lo) : std::nullopt;
     if (range == exactly(range.lo)) return range.lo;
+    if (known.uniform >= 0) {
+        if (!range.real_lo || !range.real_hi) return std::nullopt;
+        const Place place = known.uniform == sliders.moved ? sliders.to : sliders.all;
+        if (place != Place::current) return place == Place::high ? range.hi : range.lo;
+        const auto set = around_.uniforms.find(u_.globals[static_cast<std::size_t>(known.uniform)].name);
+        return set == around_.uniforms.end() ? std::nullopt : set->second.current;
+    }
     const auto found = defined_.find(node.variable);
-    return found == defined_.end() ? std::nullopt : number_at(found->second.node, high, found->second.serial);
+    return found == defined_.end() ? std::nullopt : number_at(found->second.node, sliders, found->second.serial);
 }
 
 // What an expression is with the counters' values, and with the sliders at one of their ends.
-std::optional<double> Walker::number_at(int node, bool high, int serial) {
+std::optional<double> Walker::number_at(int node, const Sliders& sliders, int serial) {
     const Node& n = at(node);
     if (--sums_ < 0 || !n.type.scalar()) return std::nullopt;
     if (n.value.size() == 1) return n.value.front();
     const int last = node - 1;  // its last part
-    if (n.form == Form::name) return number_of_name(n, high, serial);
-    if (n.form == Form::group) return number_at(last, high, serial);
+    if (n.form == Form::name) return number_of_name(n, sliders, serial);
+    if (n.form == Form::group) return number_at(last, sliders, serial);
     const bool casts = n.form == Form::construct && last >= n.begin && at(last).begin == n.begin;
     if (casts || (n.form == Form::prefix && n.text == "-")) {
-        const auto x = number_at(last, high, serial);
+        const auto x = number_at(last, sliders, serial);
         if (!x) return std::nullopt;
         return casts ? updated(0, {'=', *x}, n.type.base) : updated(0, {'-', *x}, n.type.base);
     }
     const bool least = n.form == Form::built_in && n.text == "min", most = n.form == Form::built_in && n.text == "max";
     if (n.form != Form::infix && !least && !most) return std::nullopt;
-    const auto a = number_at(at(last).begin - 1, high, serial), b = number_at(last, high, serial);
+    const auto a = number_at(at(last).begin - 1, sliders, serial), b = number_at(last, sliders, serial);
     if (!a || !b) return std::nullopt;
     if (least || most) return least ? std::min(*a, *b) : std::max(*a, *b);
     const bool real = n.type.base == Base::real || n.type.base == Base::dreal;
@@ -113,15 +154,23 @@ std::optional<double> Walker::number_at(int node, bool high, int serial) {
     return updated(*a, {n.text.front(), *b}, n.type.base);
 }
 
-std::optional<double> Walker::first_of(const Counter& counter, bool high) {
+std::optional<double> Walker::first_of(const Counter& counter, const Sliders& sliders) {
     if (counter.from) return counter.from;
-    return counter.begin >= 0 ? number_at(counter.begin, high, counter.serial) : std::nullopt;
+    return counter.begin >= 0 ? number_at(counter.begin, sliders, counter.serial) : std::nullopt;
 }
 
-std::optional<double> Walker::rounds_at(const Counter& counter, bool high) {
-    if (counter.variable < 0) return std::nullopt;
-    const auto first = first_of(counter, high), last = number_at(counter.bound, high, counter.serial);
+bool Walker::begins_at(const Counter& counter, const Sliders& sliders) {
+    if (counter.variable < 0) return false;
+    const auto first = first_of(counter, sliders), last = number_at(counter.bound, sliders, counter.serial);
+    return first && last && holds(*first, counter.op, *last);
+}
+
+std::optional<double> Walker::rounds_at(const Counter& counter, const Sliders& sliders) {
+    if (!counter.counts) return std::nullopt;
+    const auto first = first_of(counter, sliders), last = number_at(counter.bound, sliders, counter.serial);
     if (!first || !last) return std::nullopt;
+    for (const Update& update : counter.updates)
+        if (std::isnan(update.by)) return std::nullopt;
     if (!holds(*first, counter.op, *last)) return 0;
     const Update by = counter.updates.size() == 1 ? counter.updates.front() : Update{'=', 0};
     const double step = by.op == '+' ? by.by : by.op == '-' ? -by.by : 0;
@@ -130,26 +179,32 @@ std::optional<double> Walker::rounds_at(const Counter& counter, bool high) {
         const double steps = (*last - *first) / step;
         return counter.op.size() == 1 ? std::ceil(steps) : std::floor(steps) + 1;
     }
+    if (counter.base != Base::uinteger &&
+        ((step < 0 && counter.op.front() == '<') || (step > 0 && counter.op.front() == '>')))
+        return endless;
     const double rounds = counted_rounds(*first, counter.op, *last, counter.updates, counter.base);
-    sums_ -= static_cast<int>(std::min(rounds, very_many));
-    return rounds < very_many ? std::optional(rounds) : std::nullopt;
+    if (rounds != endless) sums_ -= static_cast<int>(std::min(rounds, very_many));
+    return rounds < very_many || rounds == endless ? std::optional(rounds) : std::nullopt;
 }
 
 // All rounds of a loop, for every value that the counters from that level on take.
-std::optional<double> Walker::summed(std::size_t level, const Counter& own, const std::set<int>& needed, bool high) {
-    if (level == counters_.size()) return rounds_at(own, high);
+std::optional<double> Walker::summed(std::size_t level, const Counter& own, const std::set<int>& needed,
+                                     const Sliders& sliders) {
+    if (level == counters_.size()) return rounds_at(own, sliders);
     Counter& counter = counters_[level];
-    const auto known = rounds_at(counter, high);
+    const auto known = rounds_at(counter, sliders);
+    if (known == 0.) return 0;
     if (!needed.contains(counter.variable)) {
-        const auto once = known || counter.rounds > 0 ? summed(level + 1, own, needed, high) : std::nullopt;
+        const auto once = known || counter.rounds > 0 ? summed(level + 1, own, needed, sliders) : std::nullopt;
         return once ? std::optional(known.value_or(counter.rounds) * *once) : std::nullopt;
     }
-    const auto first = first_of(counter, high);
-    if (!known || !first) return std::nullopt;
+    const auto first = first_of(counter, sliders);
+    if (!known || known == endless || !first) return std::nullopt;
     double sum = 0, value = *first;
     for (double round = 0; round < *known; ++round) {
         counter.value = value;
-        const auto within = summed(level + 1, own, needed, high);
+        const auto within = summed(level + 1, own, needed, sliders);
+        if (within == endless) return endless;
         if (!within || sums_ < 0) return std::nullopt;
         sum += *within;
         for (const Update& update : counter.updates) value = updated(value, update, counter.base);

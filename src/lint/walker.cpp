@@ -77,6 +77,8 @@ Value either(const Value& a, const Value& b) {
     keep_equal(v.from, b.from);
     keep_equal(v.to, b.to);
     v.range = either(a.range, b.range);
+    // A condition chose the value, so it is unknown which bound is reached.
+    if (a.range != b.range) v.range.real_lo = v.range.real_hi = false;
     keep_equal(v.difference, b.difference);
     if (a.uniform != b.uniform) v.uniform = -1;
     keep_equal(v.cosine, b.cosine);
@@ -225,17 +227,18 @@ void Walker::loop(int node) {
     const auto rounds = rounds_in(own, {condition, step, body});
     const double weight = weight_;
     const std::vector<Counter> around = counters_;
-    go_round(rounds, at(node).first, at(counted ? step : condition).last + 1);
+    const bool perhaps = !rounds && !enters(own);
+    go_round(rounds, own, at(node).first, at(counted ? step : condition).last + 1);
     weight_ *= rounds.value_or(1);
     forget_stored(at(condition).begin, body);
     const State before = state_;
     const bool varies = evaluate(condition).v.varies == Varies::yes;
-    condition_on(at(node).begin, at(body).begin - 1, own.variable >= 0);
+    condition_on(at(node).begin, at(body).begin - 1, own.counts || !perhaps);
     nonuniform_ += varies ? 1 : 0;
-    perhaps_ += rounds ? 0 : 1;
+    perhaps_ += perhaps ? 1 : 0;
     if (rounds) counters_.push_back(std::move(own));
     statement(body);
-    perhaps_ -= rounds ? 0 : 1;
+    perhaps_ -= perhaps ? 1 : 0;
     nonuniform_ -= varies ? 1 : 0;
     counters_ = around;
     weight_ = weight;
@@ -252,7 +255,7 @@ void Walker::do_loop(int node) {
     if (at(condition).form != Form::empty) {
         Counter own = counter_of({condition, -1, body}, -1);
         const auto rounds = rounds_in(own, {condition, -1, body});
-        go_round(rounds, at(condition).first - 2, at(condition).last + 1);
+        go_round(rounds, own, at(condition).first - 2, at(condition).last + 1);
         weight_ *= std::max(rounds.value_or(1), 1.0);
         if (rounds >= 1.) counters_.push_back(std::move(own));
     }

@@ -113,6 +113,7 @@ using Varyings = std::map<std::string_view, Value>;
 
 // Nobody goes round so often to count.
 constexpr double very_many = 1e6;
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 // Whether a comparison holds.
 bool holds(double left, std::string_view op, double right);
@@ -167,6 +168,7 @@ private:
     void note_reasons(int variable, int value);
 
     // how often loops go round (loops.cpp)
+    struct Counter;
     bool leaves(int node, bool breaks) const;
     bool may_discard(std::string_view function, std::set<std::string_view>& seen) const;
     bool calls_discard(int node) const;
@@ -176,6 +178,8 @@ private:
     struct Loop {
         int condition, step, body;  // nodes; step: of `for`; -1: the body steps
     };
+    std::optional<glsl::Comparison> comparison(const Loop& loop) const;
+    bool stored(int variable, const Loop& loop) const;
     std::optional<std::vector<Update>> updates_of(int variable, const Loop& loop);
     bool take_shortest(Update& update, int variable, const Loop& loop);
     static double counted_rounds(double value, std::string_view op, double bound, const std::vector<Update>& updates,
@@ -184,15 +188,16 @@ private:
     bool moves(int bound, const Loop& loop) const;
     // 0: it is not known.
     double rounds_of(const Loop& loop);
-    void go_round(std::optional<double> rounds, int first, int last);
+    void go_round(std::optional<double> rounds, const Counter& own, int first, int last);
 
     // loops whose bounds depend on the counters of those around (nests.cpp)
     struct Counter {
-        int variable = -1;           // -1: it is not known which, or how it counts
+        int variable = -1;           // -1: it is not known which
+        bool counts = false;         // it is known how
         std::optional<double> from;  // what it begins with,
         int begin = -1;              // or the expression of that
         int bound = -1;
-        std::string_view op;
+        std::string_view op, name;
         glsl::Base base = glsl::Base::unknown;
         std::vector<Update> updates;
         double rounds = 0;   // where they depend on no other; 0: they do
@@ -207,12 +212,23 @@ private:
     void define(int variable, int node);
     Counter counter_of(const Loop& loop, int begins);
     std::optional<double> rounds_in(Counter& own, const Loop& loop);
+    bool never_ends_somewhere(const Counter& own, std::set<int> needed);
+    bool enters(const Counter& own);
     void add_needed(int node, std::set<int>& needed) const;
-    std::optional<double> number_at(int node, bool high, int serial);
-    std::optional<double> number_of_name(const glsl::Node& node, bool high, int serial);
-    std::optional<double> rounds_at(const Counter& counter, bool high);
-    std::optional<double> first_of(const Counter& counter, bool high);
-    std::optional<double> summed(std::size_t level, const Counter& own, const std::set<int>& needed, bool high);
+    // Where the sliders are.
+    enum class Place : std::uint8_t { low, current, high };
+    struct Sliders {
+        Place all;
+        int moved = -1;  // the uniform that is elsewhere: Unit::globals
+        Place to = Place::current;
+    };
+    std::optional<double> number_at(int node, const Sliders& sliders, int serial);
+    std::optional<double> number_of_name(const glsl::Node& node, const Sliders& sliders, int serial);
+    bool begins_at(const Counter& counter, const Sliders& sliders);
+    std::optional<double> rounds_at(const Counter& counter, const Sliders& sliders);
+    std::optional<double> first_of(const Counter& counter, const Sliders& sliders);
+    std::optional<double> summed(std::size_t level, const Counter& own, const std::set<int>& needed,
+                                 const Sliders& sliders);
 
     // expressions (expressions.cpp)
     Expr evaluate(int node);

@@ -11,6 +11,7 @@
 #include "parser/text/words.h"
 #include "parser/text_of.h"
 #include "src/plan/plan.h"
+#include "src/plan/values/programs.h"
 #include "src/runtime/impl.h"
 
 namespace snell {
@@ -224,7 +225,7 @@ private:
         drawn_with_[ready.draw] = ready.program;
         for (const runtime::Sampled& sampled : impl_.sampled_by(draw, *ready.program)) {
             const std::string reader =
-                fmt::format("{} of {}", sampled.sampler->name, scene_.programs[draw.program].name);
+                fmt::format("{} of {}", sampled.sampler->name, program_name(scene_, draw.program));
             if (sampled.texture != none) readers_[impl_.textures.first(sampled.texture)].insert(reader);
             if (sampled.noise) noise_readers_[sampled.noise].insert(reader);
         }
@@ -384,10 +385,11 @@ private:
         for (Index i = 0; i < scene_.programs.size(); ++i) {
             const Program& program = scene_.programs[i];
             if (!program_draws_.contains(i))
-                result_.unused.push_back({"Program " + program.name, "nothing is drawn with it", program.span});
+                result_.unused.push_back(
+                    {"Program " + program_name(scene_, i), "nothing is drawn with it", program.span});
             for (const UniformValue& uniform : program.uniforms)
                 if (!is_read(i, uniform.name))
-                    result_.unused.push_back({fmt::format("{} of {}", uniform.name, program.name),
+                    result_.unused.push_back({fmt::format("{} of {}", uniform.name, program_name(scene_, i)),
                                               "no stage reads it: it is not active", uniform.span});
         }
         for (Index i = 0; i < impl_.passes.size(); ++i)

@@ -275,6 +275,22 @@ TEST(Remembered, AStateByNameHasTheValuesOfEachProgramOfOneName) {
     expect_values(controls, {"nothing", {}, programs}, "by name");
 }
 
+TEST(Remembered, ATypedStateMayHaveCommasBetweenItsValuesAndInThem) {
+    const Glasses programs{{"a", 1, 2}, {"b", 1, 3}}, typed{{"a", 1, 1.5}, {"b", 1, 4}};
+    const Scene scene = glasses(programs);
+    for (const char* text : {"Glass.u=1.5 Glass#2.u=4", "Glass.u=1.5, Glass#2.u=4", "Glass.u=1,5, Glass#2.u=4,",
+                             "Glass#2.u=4,0,  Glass#1.u=1,5"}) {
+        Controls controls = controls_of(scene);
+        EXPECT_EQ(apply_state(named_state(text, "scene.glib", scene), scene, controls), "") << text;
+        expect_values(controls, {"nothing", {}, typed}, text);
+    }
+    for (const char* text : {"Glass.u=1,5,2", "Glass.u=,5", "Glass.u=1,,5", "Glass.u=1,-5"}) {
+        Controls controls = controls_of(scene);
+        EXPECT_NE(apply_state(named_state(text, "scene.glib", scene), scene, controls), "") << text;
+    }
+    EXPECT_NE(named_state("Glass.u=1, 5", "scene.glib", scene).error, "");
+}
+
 TEST(Remembered, AProgramOfOneNameThatIsBackHasItsOwnValue) {
     const Glasses all{{"a", 1, 2}, {"b", 1, 3}};
     const Scene both = glasses(all), second = glasses({all[1]}), third = glasses({all[1], {"c"}});

@@ -127,6 +127,11 @@ TEST_F(Explain, SaysWhatIsPaidForAndWhy) {
     EXPECT_EQ(images[0]["at"]["line"], 5);
     EXPECT_EQ(images[0]["bytes"], 8 * 4 * 4);
     EXPECT_EQ(images[1]["at"]["line"], 10);
+    const json alike = explain(
+        "Texture2D 4 t4.bmp\nOrtho -1 1 -1 1\nVertex plain.vert\nFragment texture.frag\n"
+        "Program A uUnit 4\nQuadXY\nProgram A uUnit 4 uGone 3\nQuadXY\n");
+    EXPECT_EQ(of_kind(alike, "image")[0]["why"], "read by uUnit of A, uUnit of A#2");
+    EXPECT_TRUE(has(alike["unused"], "uGone of A#2"));
     EXPECT_EQ(of_kind(report, "program").size(), 2U);
     EXPECT_EQ(of_kind(report, "mesh").size(), 1U) << "one quad for both draws";
     ASSERT_EQ(of_kind(report, "pass").size(), 1U);

@@ -112,13 +112,84 @@ TEST(LintLoops, StepsThatTheSceneSets) {
           Row{"for (float t = .1; t < 1.; t += t * uX) x += t;", "uX 0.", ""},
           Row{"float d = uX; for (float t = 0.; t < 1.; t += d) { d = .1; x += t; }", "uX 0.", ""},
           Row{"if (uX > 0.) for (float t = 0.; t < 1.; t += uX) x += t;", "uX <0. .1 1.>", ""},
-          Row{"for (float t = 0.; t < 1.; t += uX) if (uX == 0.) break;", "uX 0.", ""}}) {
-        const Linted linted = looping(loop, values);
+          Row{"for (float t = 0.; t < 1.; t += uX) if (uX == 0.) break;", "uX 0.", ""},
+          // A branch may have set another one.
+          Row{"float d = uX; if (vN.x < 2.) d = .1; for (float t = 0.; t < 1.; t += d) x += t;", "uX <0. 0. 1.>", ""},
+          Row{"float d = uX; if (vN.x > 0.) d += .1; for (float t = 0.; t < 1.; t += d) x += t;", "uX <-1. -.1 1.>",
+              ""},
+          Row{"float d = vN.x > 0. ? uX : .1; for (float t = 0.; t < 1.; t += d) x += t;", "uX <0. 0. 1.>", ""},
+          Row{"for (float t = 0.; t < 1.; t += step(x)) x += t;", "uX <0. 0. 1.>", ""},
+          Row{"float d = uX; if (vN.x < 2.) x = .1; for (float t = 0.; t < 1.; t += d) x += t;", "uX <0. 0. 1.>",
+              "may go round for ever"},
+          // Written in another way.
+          Row{"for (float t = 0.; t < 1.; t = t + uX) x += t;", "uX <0. .1 1.>", "may go round for ever"},
+          Row{"for (float t = 0.; t < 1.; t = uX + t) x += t;", "uX 0.", "go round for ever"},
+          Row{"for (float t = 1.; t > 0.; t = uX - t) x += t;", "uX 0.", ""},
+          Row{"for (float t = 0.; 1. > t; t += uX) x += t;", "uX <0. .1 1.>", "may go round for ever"},
+          Row{"for (float t = 0.; (1. > t); t += uX) x += t;", "uX <0. .1 1.>", "may go round for ever"},
+          Row{"for (int i = 0; uN > i; i--) x += 1.;", "uN 4", "go round for ever"},
+          Row{"for (int i = 0; uN > i; i++) x += 1.;", "uN <1 4 8>", ""},
+          // At one of the slider's values, and at others not.
+          Row{"for (int i = 0; i < uN;) x += uX;", "uN <0 1 4>", "may go round for ever"},
+          Row{"for (int i = 0; i < uN;) x += uX;", "uN <0 0 4>", "may go round for ever"},
+          Row{"for (int i = 0; i < uN;) x += uX;", "uN <1 4 8>", "go round for ever"},
+          Row{"for (int i = 0; i < uN;) x += uX;", "uN <-4 -1 0>", ""},
+          Row{"for (int i = uN; i < 4;) x += uX;", "uN <0 1 4>", "may go round for ever"},
+          Row{"for (int i = 4; i > uN; ++i) x += uX;", "uN <0 4 4>", "may go round for ever"},
+          Row{"for (float t = uX; t < 1.; t += float(uN)) x += t;", "uN <0 1 4> uX <0. .5 1.>",
+              "may go round for ever"},
+          Row{"for (float t = 0.; t < uX; t += float(uN)) x += t;", "uN <0 1 4> uX <0. .5 1.>",
+              "may go round for ever"},
+          Row{"for (float t = 0.; t < uX; t += .1 * uX) x += t;", "uX <0. .5 1.>", ""},
+          Row{"for (float t = 0.; t < uX; t += .1) x += t;", "uX <0. .5 1.>", ""},
+          Row{"for (int i = uN; i < uN;) x += uX;", "uN <0 1 4>", ""},
+          Row{"for (int i = 0; i < uN;) if (x > uX) break;", "uN <0 1 4>", ""},
+          Row{"if (uN < 1) for (int i = 0; i < uN;) x += uX;", "uN <0 1 4>", ""},
+          // Factors and shifts.
+          Row{"for (float t = 1.; t < 9.; t *= uX) x += t;", "uX 1.", "go round for ever"},
+          Row{"for (float t = 1.; t < 9.; t *= uX) x += t;", "uX <1. 2. 3.>", "may go round for ever"},
+          Row{"for (float t = 1.; t < 9.; t *= uX) x += t;", "uX <1.1 2. 3.>", ""},
+          Row{"for (int i = 1; i < 9; i *= uN + 1) x += 1.;", "uN <0 1 4>", "may go round for ever"},
+          Row{"for (int i = 1; i < 9; i = i * (uN + 1)) x += 1.;", "uN <1 2 4>", ""},
+          Row{"for (int i = 1; i < 9; i <<= uN) x += 1.;", "uN <0 1 4>", "may go round for ever"},
+          Row{"for (int i = 1; i < 9; i <<= uN) x += 1.;", "uN <1 2 4>", ""},
+          Row{"for (int i = 8; i >= 0; i >>= 1) x += 1.;", "", "go round for ever"},
+          Row{"for (int i = 8; i > 0; i >>= 1) x += 1.;", "", ""}}) {
+        const Linted linted =
+            looping(loop, values, "varying vec3 vN;\nfloat step(float y) { if (y > 9.) return uX; return .1; }\n");
         EXPECT_EQ(told(linted), *expected != '\0') << loop << values << linted.text();
         EXPECT_NE(linted.text().find(*expected == '\0' ? "" : std::string(" this shader ") + expected),
                   std::string::npos)
             << loop << values << linted.text();
     }
+}
+
+// The outer loop's rounds are unknown, as the inner one changes its counter, and yet it has one.
+TEST(LintLoops, AStepOfAnotherLoopsCounter) {
+    struct Row {
+        const char *outer, *inner, *values, *told;  // "": nothing
+    };
+    for (const auto& [outer, inner, values, expected] :
+         {Row{"int i = 0; i < 10; i++", "int j = 0; j < 10; i++", "", "go round for ever"},
+          Row{"int i = 0; i < uN; i++", "int j = 0; j < uN; i++", "uN <1 2 4>", "go round for ever"},
+          Row{"int i = 0; i < uN; i++", "int j = 0; j < uN; i++", "uN <0 1 4>", "may go round for ever"},
+          Row{"int i = 0; i < uN; i++", "int j = 0; j < uN; i++", "uN 4", "go round for ever"},
+          Row{"int i = 0; i < 10; i++", "int j = 0; j < 10; j++, i++", "", ""},
+          Row{"int i = 20; i < 10; i++", "int j = 0; j < 10; i++", "", ""},
+          Row{"int i = uM; i < 10; i++", "int j = 0; j < 10; i++", "", ""},
+          Row{"int i = 0; i < 10; i++", "int j = 0; j < i; i++", "", ""},
+          Row{"int i = 0; i < 10; i++", "int j = 0; j < i + 1;", "", "go round for ever"},
+          Row{"int i = 0; i < uN; i++", "int j = 0; j < 10; i++", "uN <-4 -2 0>", ""}}) {
+        const std::string loop = std::string("for (") + outer + ") for (" + inner + ")";
+        const Linted linted = looping(loop + " x += 1.;", values);
+        EXPECT_EQ(told(linted), *expected != '\0') << loop << values << linted.text();
+        if (*expected == '\0') continue;
+        EXPECT_NE(linted.text().find(std::string(" this shader ") + expected), std::string::npos) << linted.text();
+        EXPECT_NE(linted.text().find("no round changes 'j'"), std::string::npos) << linted.text();
+        EXPECT_EQ(linted.at("many-rounds"), std::vector{std::string("for (") + inner + ")"});
+    }
+    EXPECT_FALSE(
+        told(looping("int i = 0; while (i < 10) { if (x > uX) ++i; if (i > 3) break; while (true) x += 1.; }")));
 }
 
 TEST(LintLoops, LoopsThatCountWithin) {

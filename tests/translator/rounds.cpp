@@ -52,6 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
         Loops{"for (int i = 0; (x < 9. && (i < 6)); ++i) x += 1.;", 0},
         Loops{"for (float t = 0.; t < 9.; t += max(uX, .1)) x += t;", 0},
         Loops{"for (float t = 9.; t > 0.; t -= .5 * max(uX, .1)) x += t;", 0},
+        Loops{"for (int i = 0; 6 > i; i = i + 1) x += 1.;", 0},
+        Loops{"for (int i = 9; (0 <= i); i = i - 2) x += 1.;", 0},
         // Nothing ends them.
         Loops{"while (true) x += 1.;", 1}, Loops{"while (true) { x += 1.; if (x < 0.) break; }", 1},
         Loops{"for (;;) { x += 1.; if (x < 0.) break; }", 1}, Loops{"do x += 1.; while (x > 0.);", 1},
@@ -62,6 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
         Loops{"for (int i = 0; i < 10; ++i) i -= n;", 1},
         Loops{"for (int i = 0; i < 10; ++i) back(i);", 1, "void back(inout int i) { --i; }\n"},
         Loops{"for (int i = 0; i < 10; --i) x += 1.;", 1}, Loops{"for (int i = 0; i < 10; i *= 2) x += 1.;", 1},
+        Loops{"for (int i = 0; 6 > i; i = i - 1) x += 1.;", 1}, Loops{"for (int i = 9; 6 > n; ++i) x += 1.;", 1},
+        Loops{"for (int i = 0; i < 6; i = 2 - i) x += 1.;", 1}, Loops{"for (int i = 0; i < 6; i <<= 1) x += 1.;", 1},
         Loops{"for (float t = 1e8; t < 1.00001e8; t += 1.) x += 1.;", 1},
         Loops{"for (int i = n; i < n + 16; ++i) ++n;", 1}, Loops{"for (int i = 0; i < 6 || x < 9.; ++i) x += 1.;", 1},
         Loops{"for (float t = x; t < x + 16.; ++t) n++;", 1},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -18,7 +19,8 @@ namespace {
 
 constexpr std::size_t most_differences = 3;  // that a label names
 
-// Settings stand between blanks, of which values in brackets may have some: "uColor=[1 .5 0] uIndex=1.33".
+// Settings stand between blanks, of which values in brackets may have some: "uColor=[1 .5 0] uIndex=1.33"; or commas
+// and blanks, as in labels.
 std::vector<std::string_view> settings_of(std::string_view text) {
     std::vector<std::string_view> settings;
     std::size_t begin = 0;
@@ -29,7 +31,8 @@ std::vector<std::string_view> settings_of(std::string_view text) {
                  : std::string_view("]}>").find(c) != text.npos ? -1
                                                                 : 0;
         if (at < text.size() && (c != ' ' || depth > 0)) continue;
-        if (at > begin) settings.push_back(text.substr(begin, at - begin));
+        const std::size_t end = at > begin && text[at - 1] == ',' ? at - 1 : at;
+        if (end > begin) settings.push_back(text.substr(begin, end - begin));
         begin = at + 1;
     }
     return settings;
@@ -112,7 +115,17 @@ std::string apply_state(const NamedState& state, const Scene& scene, Controls& c
     Diagnostics refused;
     if (state.written)
         for (Control& control : controls.items) reset(control);
-    for (const std::string& set : state.sets) set_control(controls, scene, set, refused);
+    for (const std::string& set : state.sets) {
+        Diagnostics here;
+        // "uEta=1,33" of one number has a decimal comma, as in the fields of sliders.
+        std::string decimal = set;
+        std::replace(decimal.begin(), decimal.end(), ',', '.');
+        if (!set_control(controls, scene, set, here) && here.items().back().code == "uniform-value-count") {
+            Diagnostics otherwise;
+            if (set_control(controls, scene, decimal, otherwise)) here = std::move(otherwise);
+        }
+        refused.append(here);
+    }
     return first_message(refused);
 }
 

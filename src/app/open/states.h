@@ -28,7 +28,8 @@ inline constexpr std::string_view state_now = "now", state_saved = "saved", stat
                                   state_snapshot = "snapshot ";
 
 // The name is one of these, such as "snapshot 3", or has settings between blanks, such as
-// "Glass.uIndex=1.33 BEND=single", each of a uniform or a ladder. `path` is that of the scene.
+// "Glass.uIndex=1.33 BEND=single" or "Glass.uIndex=1.33, BEND=single", each of a uniform or a ladder. `path` is that of
+// the scene.
 NamedState named_state(std::string_view name, const std::string& path, const Scene& scene);
 
 // Sets what the state has; what does not fit is left out, and returned as a message, or "".

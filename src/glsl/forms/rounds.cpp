@@ -128,7 +128,7 @@ private:
 
     // The initialiser of a variable that nothing is stored in later; -1: it has none.
     int only_value(int variable) const {
-        if (variable < 0 || stored_in(variable, 0, static_cast<int>(u_.tree->size()) - 1)) return -1;
+        if (variable < 0 || stores(u_, variable, 0, static_cast<int>(u_.tree->size()) - 1)) return -1;
         for (int k = 0; k < static_cast<int>(u_.tree->size()); ++k)
             if (at(k).form == Form::declarator && at(k).variable == variable)
                 return parts(k).empty() ? -1 : parts(k).back();
@@ -156,19 +156,19 @@ private:
         if (test.form == Form::group) return rounds_while(sides[0], all);
         if (test.form != Form::infix) return unknown;
         if (test.text == "&&") return std::min(rounds_while(sides[0], all), rounds_while(sides[1], all));
-        const int variable = at(sides[0]).form == Form::name ? at(sides[0]).variable : -1;
-        if (variable < 0 || stored(variable, all[3])) return unknown;
-        const auto begin = begin_of(u_, variable, all[0]);
-        const auto step = update_of(u_, variable, all[2]);
+        const auto compared = comparison_of(u_, condition, at(condition).begin, all[3]);
+        if (!compared || stored(compared->variable, all[3])) return unknown;
+        const auto begin = begin_of(u_, compared->variable, all[0]);
+        const auto step = update_of(u_, compared->variable, all[2]);
         if (!begin || !step || (step->op != '+' && step->op != '-')) return unknown;
         const Range amount = step->amount < 0 ? Range{step->by, step->by} : range(step->amount);
         // The shortest step that it may make; with 0, or one that vanishes next to the bound, it never ends.
         const double shortest = amount.low > 0 ? amount.low : std::min(amount.high, 0.);
         const double by = step->op == '+' ? shortest : -shortest;
-        const auto [from, to] = ends(*begin, sides[1], all[3]);
-        const bool up = by > 0 && test.text.front() == '<', down = by < 0 && test.text.front() == '>';
+        const auto [from, to] = ends(*begin, compared->bound, all[3]);
+        const bool up = by > 0 && compared->op.front() == '<', down = by < 0 && compared->op.front() == '>';
         const double least = up ? from.low : from.high, most = up ? to.high : to.low;
-        const Type& type = at(sides[0]).type;
+        const Type& type = u_.code.variables[static_cast<std::size_t>(compared->variable)];
         if (type.base == Base::uinteger && (from.low < 0 || to.low < 0)) return unknown;
         const bool whole = type.integral();  // a float may be so large that it stays
         const bool moves = whole || std::abs(by) > std::max(std::abs(least), std::abs(most)) * 0x1p-22;
@@ -185,12 +185,7 @@ private:
         return sum ? std::pair(Range{0, 0}, range(sides[1])) : std::pair(range(begin), range(bound));
     }
 
-    bool stored(int variable, int node) const { return stored_in(variable, at(node).begin, node); }
-    bool stored_in(int variable, int first, int last) const {
-        bool found = false;
-        each_stored(u_, first, last, [&](int other) { found = found || other == variable; });
-        return found;
-    }
+    bool stored(int variable, int node) const { return stores(u_, variable, at(node).begin, node); }
 
     // `weight`: rounds of the loops within that do not count, and its own.
     void count(int loop, int weight) {

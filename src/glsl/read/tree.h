@@ -72,13 +72,14 @@ inline std::vector<int> parts(const Tree& tree, int node) {
 
 // What loops do with the variables that they count by. Nodes are indices into Unit::tree.
 
-// `x op= by`; op: one of + - * / =.
+// `x op= by`; op: one of + - * / = < >, the latter for shifts.
 struct Update {
     char op;
     double by;
     int amount = -1;  // the expression of `by`, where that is no number of the text; `by` is NaN then
 };
-// What i++, i -= 2, x *= .5, i = 0, x += step and their like do with the variable; nullopt: another thing.
+// What i++, i -= 2, x *= .5, i <<= 1, i = 0, x += step, x = x + step and their like do with the variable; nullopt:
+// another thing.
 std::optional<Update> update_of(const Unit& unit, int variable, int node);
 
 // What the variable has after it.
@@ -90,6 +91,17 @@ std::optional<int> begin_of(const Unit& unit, int variable, int begins);
 // Calls `each` for every variable that nodes first … last may store something in.
 void each_stored(const Unit& unit, int first, int last, const std::function<void(int variable)>& each);
 
+bool stores(const Unit& unit, int variable, int first, int last);
+
 bool compares(std::string_view op);
+// A loop's condition, as the variable that the loop changes is compared in it: `i < n` also of `n > i`.
+struct Comparison {
+    int variable;
+    std::string_view name;  // of the variable
+    std::string_view op;
+    int bound;
+};
+// `first`, `last`: the nodes that each round runs.
+std::optional<Comparison> comparison_of(const Unit& unit, int condition, int first, int last);
 
 }  // namespace snell::glsl
