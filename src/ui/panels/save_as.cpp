@@ -66,6 +66,19 @@ bool answered(SaveAs& dialog, const char* word, const std::string& name, Layout&
     return button(word, layout, name + " save");
 }
 
+// The field of a name. Returns true if Enter confirms it: after a refusal once more without another name, because its
+// cause may be gone.
+bool name_field(const char* id, SaveAs& dialog, ImGuiInputTextFlags flags) {
+    const bool again = !dialog.error.empty() && kit().focus.at == ImGui::GetID(id) && !ImGui::IsAnyItemActive() &&
+                       (pressed(Key::enter) || pressed(Key::keypad_enter));
+    if (again) {
+        ui::take(Key::enter);
+        ui::take(Key::keypad_enter);
+    }
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    return text_field(id, "", dialog.file, ImGuiInputTextFlags_EnterReturnsTrue | flags) || again;
+}
+
 // Returns true when the user confirms the name.
 bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     if (!dialog.open) return false;
@@ -73,9 +86,7 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     if (!begin_dialog(words.title, 30)) return false;
     wrapped(words.label);
     if (fresh) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool entered =
-        text_field("##name", "", dialog.file, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered = name_field("##name", dialog, ImGuiInputTextFlags_AutoSelectAll);
     layout.note(words.name + " file");
     tip(words.tip);
     if (!dialog.folder.empty()) {
@@ -158,6 +169,15 @@ void whole(const char* id, double& value, double initial, Layout& layout, const 
 void set_size(PictureMemory& picture, const Rect& scene, double factor) {
     picture.width = std::max(1., std::round(scene.width * factor));
     picture.height = std::max(1., std::round(scene.height * factor));
+}
+
+// Which picture is saved, where another one is seen; "" otherwise.
+std::string_view saved_picture(const Facts& facts) {
+    const bool found = facts.found && !facts.found->shown.empty();
+    if (facts.states)
+        return found ? "of the scene as it is now, without the comparison and the found rung"
+                     : "of now, without the comparison";
+    return found ? "of the scene, without the found rung" : "";
 }
 
 void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
@@ -250,12 +270,10 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     ImGui::BeginDisabled(picture.progress.has_value());
     row("File", "The extension sets the format: .png, .bmp, .exr \u2026");
     if (fresh) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-FLT_MIN);
     // Enter saves, where it does not end the typing of a number.
     const bool free =
         !ImGui::IsAnyItemActive() && !kit().typing.id && (pressed(Key::enter) || pressed(Key::keypad_enter));
-    const bool entered =
-        text_field("##file", "", picture.file, ImGuiInputTextFlags_EnterReturnsTrue) || (free && kit().focus.at == 0);
+    const bool entered = name_field("##file", picture, 0) || (free && kit().focus.at == 0);
     layout.note("picture file");
     if (!picture.folder.empty()) {
         row("");
@@ -266,6 +284,11 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
             fitted(picture.names, ImGui::GetContentRegionAvail().x, true);
             layout.note("picture names");
         }
+    }
+    if (const std::string_view which = saved_picture(facts); !which.empty()) {
+        row("Picture");
+        wrapped(which);
+        layout.note("picture which");
     }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())
