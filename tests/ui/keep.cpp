@@ -44,6 +44,8 @@ TEST_F(UiKeep, SaveAsSaysInWhichFolder) {
     open_save_as(memory_.save_as, "x/a.glib", "~/scenes");
     EXPECT_EQ(place("save as folder").width,
               ImGui::CalcTextSize("with the files that the scene would not find there").x);
+    memory_.save_as.place = "as ~/scenes/x/room/a.glib, with its files";
+    EXPECT_EQ(place("save as folder").width, ImGui::CalcTextSize(memory_.save_as.place.c_str()).x);
     memory_.save_as.open = false;
     open_save_as(memory_.save_as, "a.glib", "");
     EXPECT_FALSE(has("save as folder"));

@@ -98,6 +98,10 @@ public:
         settle();
         press(Key::enter);
         EXPECT_TRUE(pressed_.save_as_now) << "the folder may have been made meanwhile";
+        confirmed(memory_.save_as, true, "/none", true);
+        settle();
+        press(Key::enter);
+        EXPECT_TRUE(pressed_.save_as_now) << "nor is the question whether to make it the end";
         memory_.save_as.open = false;
         settle();
         two_states();

@@ -51,13 +51,6 @@ void carry_sliders(const std::vector<Index>& programs, ui::Memory& memory) {
         if (program < programs.size() && programs[program] != none) memory.logarithmic.emplace(programs[program], name);
 }
 
-void expand_tilde(ui::SaveAs& dialog) {
-    const std::string whole = without_tilde(dialog.file.data());
-    if (whole.size() >= dialog.file.size()) return;
-    dialog.file.fill('\0');
-    whole.copy(dialog.file.data(), whole.size());
-}
-
 }  // namespace
 
 std::string title_of(const std::string& scene, bool unsaved) {
@@ -202,7 +195,6 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
             memory.failures.exchanged(undone);
             keeper_.look_again();
         }
-        if (requests.save_as_now) expand_tilde(memory.save_as);
         Keeper::Served served = keeper_.serve(requests, *document(), shown, memory);
         if (!served.copied.empty()) window.set_clipboard(served.copied);
         if (requests.save_as) memory.save_as.folder = folder();

@@ -53,13 +53,14 @@ void complain(const std::string& text, const std::string& name, Layout& layout) 
 // What the dialog asks or complains of.
 void questions(const SaveAs& dialog, const std::string& name, Layout& layout) {
     if (dialog.asks())
-        ImGui::TextWrapped("%s exists. Replace it?", shortened(dialog.existing, 30 * ImGui::GetFontSize()).c_str());
+        ImGui::TextWrapped(dialog.makes ? "There is no folder %s. Make it?" : "%s exists. Replace it?",
+                           shortened(dialog.existing, 30 * ImGui::GetFontSize()).c_str());
     if (!dialog.error.empty()) complain(dialog.error, name, layout);
 }
 
 // "Cancel" and, behind it at the right end, what the dialog is for. Returns true if that was pressed.
 bool answered(SaveAs& dialog, const char* word, const std::string& name, Layout& layout) {
-    if (dialog.asks()) word = "Replace";
+    if (dialog.asks()) word = dialog.makes ? "Make" : "Replace";
     to_right(button_width("Cancel") + button_width(word) + ImGui::GetStyle().ItemSpacing.x);
     if (button("Cancel", layout, name + " cancel") || pressed(Key::escape)) dialog.open = false;
     ImGui::SameLine();
@@ -69,7 +70,8 @@ bool answered(SaveAs& dialog, const char* word, const std::string& name, Layout&
 // The field of a name. Returns true if Enter confirms it: after a refusal once more without another name, because its
 // cause may be gone.
 bool name_field(const char* id, SaveAs& dialog, ImGuiInputTextFlags flags) {
-    const bool again = !dialog.error.empty() && kit().focus.at == ImGui::GetID(id) && !ImGui::IsAnyItemActive() &&
+    const bool refused = !dialog.error.empty() || (dialog.asks() && dialog.makes);
+    const bool again = refused && kit().focus.at == ImGui::GetID(id) && !ImGui::IsAnyItemActive() &&
                        (pressed(Key::enter) || pressed(Key::keypad_enter));
     if (again) {
         ui::take(Key::enter);
@@ -93,7 +95,7 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
         const std::string_view name = dialog.file.data();
         const bool whole = name == "~" || name.starts_with("~/") || name.starts_with('/');  // it says which folder
         const bool elsewhere = words.elsewhere && (whole || name.find('/') != name.npos);
-        fitted(elsewhere ? words.elsewhere
+        fitted(elsewhere ? (dialog.place.empty() ? words.elsewhere : dialog.place)
                : whole   ? ""
                          : "in " + dialog.folder,
                ImGui::GetContentRegionAvail().x, true);
@@ -108,8 +110,11 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
 
 }  // namespace
 
-bool confirmed(SaveAs& dialog, bool exists, const std::string& path) {
-    dialog.there = exists && !dialog.asks() ? dialog.file.data() : "";
+bool confirmed(SaveAs& dialog, bool asks, const std::string& path, bool makes) {
+    const bool answered = dialog.asks() && dialog.makes == makes;
+    dialog.there = asks && !answered ? dialog.file.data() : "";
+    dialog.makes = makes;
+    if (!dialog.there.empty()) dialog.error.clear();
     dialog.existing = utf8::printable(path.substr(path.rfind('/') + 1));
     return dialog.there.empty();
 }
