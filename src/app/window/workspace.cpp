@@ -9,6 +9,7 @@
 #include "src/app/desktop/folder.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/quality.h"
+#include "src/app/page/page.h"
 
 namespace snell {
 
@@ -215,6 +216,12 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
 
 void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory) {
     ui::SaveAs& dialog = memory.save_page;
+    if (std::string missing; requests.save_page && app::web_file("page.html", missing).empty()) {
+        const std::size_t help = missing.find("\n   help: ");
+        return memory.failed({fmt::format("no page can be saved: {}\nHelp: {}", missing.substr(0, help),
+                                          missing.substr(missing.find(": ", help) + 2)),
+                              ui::Failure::Remedy::page});
+    }
     if (requests.save_page)
         ui::open_save_as(dialog, std::filesystem::path(session_.path()).stem().string() + ".html", folder());
     if (!requests.save_page_now) return;
