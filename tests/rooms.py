@@ -24,8 +24,8 @@ APP = {
     "help": "open commands create",
     "lsp": "open desktop commands",
     "window/measure": "open",
-    "window/survive": "open",
-    "window": "open picture desktop batch window/measure window/survive",
+    "window/survive": "open desktop",
+    "window": "open picture desktop batch page window/measure window/survive",
 }
 
 

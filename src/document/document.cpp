@@ -325,6 +325,7 @@ SavedAs saved_as(const Document& document, const std::string& name, std::span<co
         as.error = "this is the scene itself, which is saved without another name";
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     const bool gone = !old_folder.empty() && !fs::is_directory(old_folder, error);
+    as.missing = as.error.empty() && !gone && !fs::exists(folder, error);
     if (as.error.empty() && !fs::is_directory(folder, error))
         as.error = fmt::format("there is no folder {}{}", folder.string(),
                                gone ? " any more: give the path of another one, such as ~/" + given.string() : "");

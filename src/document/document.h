@@ -112,6 +112,7 @@ struct SavedAs {
     bool exists = false;                   // a file of that name would be replaced
     std::string error;                     // why the scene can't have that name
     std::vector<std::string> moving = {};  // as in Saved
+    bool missing = false;                  // the only error: its folder does not exist
     bool lacks = false;                    // the only error: from its folder the scene would not find its files
     std::map<std::string, std::string> texts = {};  // of the files that have values, as saved, for a copy of all files
 };

@@ -134,7 +134,8 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
     }
     // The names of two states say it themselves.
     if ((facts.stale || !facts.failed_rungs.empty()) && !facts.states)
-        parts.add("status.stale", 93, "last good picture").dim = false;
+        parts.add("status.stale", 93, facts.stale && facts.incomplete ? "incomplete picture" : "last good picture")
+            .dim = false;
     if (!facts.nan.empty()) parts.add("status.nan", 91, facts.nan, 4 * em, 45).dim = false;
     if (facts.found && !facts.found->shown.empty()) {
         const std::string text = found_text(*facts.found) + ": Esc shows the scene";
@@ -154,9 +155,9 @@ bool collect(const Facts& facts, const Memory& memory, Parts& parts) {
     if (memory.notice.empty()) {
         add_keys(facts, parts);
     } else {
-        // The first line; the tooltip has all of them.
+        // The first line; the tooltip has all of them. It is left out last, because the next press ends it.
         const std::string_view line = std::string_view(memory.notice).substr(0, memory.notice.find('\n'));
-        parts.add("notice", 80, line, 8 * em, 65).dim = false;
+        parts.add("notice", 101, line, 8 * em, 65).dim = false;
     }
     add_cost(facts, parts);
     return errors > 0;

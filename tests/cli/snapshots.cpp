@@ -277,8 +277,7 @@ TEST_F(Kept, ASliderThatMovesKeepsTheScenesNumber) {
     EXPECT_FALSE(facts.changed);
     keeper.serve({.save = true}, *document, {}, memory);
     EXPECT_EQ(bytes_of(folder.path("s.glib")), scene);
-    EXPECT_EQ(memory.notice,
-              "nothing to save; not uA, uColor, which move; the view and moved objects are not written to the scene");
+    EXPECT_EQ(memory.notice, "nothing to save; not uA, uColor, which move");
     color.value[0] = .375;
     memory.animated.front() = memory.animated.back();
     memory.animated.pop_back();
@@ -292,7 +291,18 @@ TEST_F(Kept, ASliderThatMovesKeepsTheScenesNumber) {
     memory.animated.clear();
     auto again = read();
     keeper.serve({.save = true}, *again, {}, memory);
-    EXPECT_EQ(memory.notice, "nothing to save; the view and moved objects are not written to the scene");
+    EXPECT_EQ(memory.notice, "nothing to save");
+    snell::Picture turned;
+    const auto told = [&] {
+        keeper.serve({.save = true}, *again, turned, memory);
+        return memory.notice;
+    };
+    turned.view.objects[0].x = 1;
+    EXPECT_EQ(told(), "nothing to save; moved objects are not written to the scene");
+    turned.view.scene.rotate_y = 30;
+    EXPECT_EQ(told(), "nothing to save; the view and moved objects are not written to the scene");
+    turned.view.objects.clear();
+    EXPECT_EQ(told(), "nothing to save; the view is not written to the scene");
     named(*again, "uA").value = {50};
     keeper.serve({.save = true}, *again, {}, memory);
     EXPECT_EQ(memory.notice, "1 value saved to s.glib; range of uA widened to 50");
@@ -347,6 +357,45 @@ TEST_F(Kept, NamesThatMakeNoSceneAreRefused) {
     EXPECT_NE(error.find("many.frag"), std::string::npos) << error;
     folder.write("sub/many.frag", bytes_of(folder.path("many.frag")));
     EXPECT_EQ(saved_as(*document, "sub/x").error, "") << "it would find its files there";
+}
+
+// The scene that reads ../glass/far.frag goes into a folder of its own beside that of its files.
+TEST_F(Kept, WhereASceneGoesIsSaidBeforeAndAfter) {
+    folder.write("glass/far.frag", bytes_of(folder.path("many.frag")));
+    folder.write("room/r.glib", "Ortho -1 1 -1 1\nFragment ../glass/far.frag\nProgram P uA <0. .5 1.>\nQuadXY\n");
+    const auto document = open_file(folder.path("room/r.glib"));
+    expect_clean(*document);
+    Keeper keeper(document->path);
+    ui::Memory memory;
+    ui::SaveAs& dialog = memory.save_as;
+    const auto asked = [&](const std::string& name, bool now) {
+        if (!dialog.open) ui::open_save_as(dialog, name);
+        dialog.file.fill('\0');
+        name.copy(dialog.file.data(), name.size());
+        return keeper.serve({.save_as_now = now}, *document, {}, memory);
+    };
+    asked("x", false);
+    EXPECT_EQ(dialog.place, "");
+    folder.write("a/far/notes.txt", "");
+    const std::string far = folder.path("a/far"), none = folder.path("none");
+    asked("../a/far/x", false);
+    EXPECT_EQ(dialog.place, "as " + far + "/room/x.glib, with its files");
+    EXPECT_EQ(asked("../a/far/x", true).as, "saved as room/x.glib in " + far + " with its 1 file");
+    EXPECT_FALSE(dialog.open);
+
+    asked("../none/x", false);
+    EXPECT_EQ(dialog.place, "as " + none + "/room/x.glib, with its files");
+    EXPECT_EQ(asked("../none/x", true).saved_as, "");
+    EXPECT_TRUE(dialog.asks() && dialog.makes);
+    EXPECT_EQ(dialog.existing, "none");
+    EXPECT_EQ(dialog.error, "");
+    EXPECT_FALSE(fs::exists(none)) << "it is asked first";
+    EXPECT_EQ(asked("../none/x", true).as, "saved as room/x.glib in " + none + " with its 1 file");
+    expect_clean(*open_file(none + "/room/x.glib"));
+
+    asked("../glass/y", false);
+    EXPECT_EQ(dialog.place, "") << "it finds its files from there";
+    EXPECT_EQ(asked("../glass/y", true).as, "saved as y.glib in " + folder.path("glass"));
 }
 
 TEST_F(Kept, ValuesOfIncludedFilesAreNotSavedUnderAnotherName) {

@@ -324,8 +324,9 @@ TEST_F(SavedPage, WithoutThePagesPartTheWayOutIsNamedUntilAPageIsSaved) {
     const std::string part = bytes("page.html");
     std::filesystem::remove(file("page.html"));
     open("scene.glib", {"--size", "640x480"});
-    save_page();
-    ASSERT_TRUE(says("scene.html is not saved: ")) << state();
+    choose("save", "page");
+    ASSERT_TRUE(says("no page can be saved: ")) << state();
+    EXPECT_FALSE(state()["widgets"].contains("save page save")) << "and no name is asked for";
     EXPECT_NE(state()["failure"].get<std::string>().find("'./dev web' in the folder of snell's sources builds it"),
               std::string::npos)
         << state()["failure"];

@@ -44,6 +44,8 @@ TEST_F(UiKeep, SaveAsSaysInWhichFolder) {
     open_save_as(memory_.save_as, "x/a.glib", "~/scenes");
     EXPECT_EQ(place("save as folder").width,
               ImGui::CalcTextSize("with the files that the scene would not find there").x);
+    memory_.save_as.place = "as ~/scenes/x/room/a.glib, with its files";
+    EXPECT_EQ(place("save as folder").width, ImGui::CalcTextSize(memory_.save_as.place.c_str()).x);
     memory_.save_as.open = false;
     open_save_as(memory_.save_as, "a.glib", "");
     EXPECT_FALSE(has("save as folder"));
@@ -240,6 +242,21 @@ TEST_F(UiKeep, ThePictureWindowAsksAndIsAsked) {
     EXPECT_FALSE(memory_.picture.open);
 }
 
+TEST_F(UiKeep, ThePictureWindowSaysWhatIsSavedWhereSomethingElseIsSeen) {
+    memory_.picture.open = true;
+    memory_.picture.width = memory_.picture.height = 64;
+    const StateFacts states;
+    FoundFacts found;
+    facts_.found = &found;
+    EXPECT_FALSE(has("picture which"));
+    facts_.states = &states;
+    EXPECT_EQ(place("picture which").width, ImGui::CalcTextSize("of now, without the comparison").x);
+    found.shown = "3";
+    EXPECT_TRUE(has("picture which"));
+    facts_.states = nullptr;
+    EXPECT_EQ(place("picture which").width, ImGui::CalcTextSize("of the scene, without the found rung").x);
+}
+
 TEST_F(UiKeep, ASequenceSaysWhereItsPicturesGo) {
     memory_.picture.open = true;
     memory_.picture.width = memory_.picture.height = 64;
@@ -314,6 +331,9 @@ TEST_F(UiKeep, APictureIsNamedWithoutAClick) {
     has("picture file");
     type("a.png");
     EXPECT_STREQ(memory_.picture.file.data(), "a.png");
+    memory_.picture.error = "there is no folder o";
+    frame();
+    EXPECT_EQ(pressed(Key::enter).picture, PictureRequest::save) << "it may have been made meanwhile";
 }
 
 TEST_F(UiKeep, AFileThatIsThereIsReplacedOnlyWhenAsked) {

@@ -94,6 +94,14 @@ public:
         EXPECT_STREQ(memory_.save_as.file.data(), "tu");
         press(Key::enter);
         EXPECT_TRUE(pressed_.save_as_now);
+        memory_.save_as.error = "there is no such folder";
+        settle();
+        press(Key::enter);
+        EXPECT_TRUE(pressed_.save_as_now) << "the folder may have been made meanwhile";
+        confirmed(memory_.save_as, true, "/none", true);
+        settle();
+        press(Key::enter);
+        EXPECT_TRUE(pressed_.save_as_now) << "nor is the question whether to make it the end";
         memory_.save_as.open = false;
         settle();
         two_states();

@@ -350,6 +350,27 @@ TEST_F(Shell, AnOutcomeTakesThePlaceOfTheKeysAndIsShortened) {
     EXPECT_TRUE(visible("status.cost"));
 }
 
+// The next press ends an outcome, and what it hid is there again.
+TEST_F(Shell, InTheNarrowestLineAnOutcomeIsInPlaceOfTheWarnings) {
+    const std::vector<Problem> problems{{{.severity = Severity::warning, .message = "no"}, {}}};
+    facts_.problems = problems;
+    screen_.width = 420;
+    screen_.height = 320;
+    EXPECT_TRUE(visible("problems"));
+    memory_.notice = "snapshot 3 is in a-scene-with-quite-a-long-name.snapshots.json";
+    EXPECT_TRUE(visible("notice"));
+    memory_.notice.clear();
+    EXPECT_TRUE(visible("problems"));
+}
+
+TEST_F(Shell, APictureThatNeverWasGoodIsNotCalledSo) {
+    facts_.stale = true;
+    frame();
+    EXPECT_EQ(place("status.stale").width, ImGui::CalcTextSize("last good picture").x);
+    facts_.incomplete = true;
+    EXPECT_EQ(place("status.stale").width, ImGui::CalcTextSize("incomplete picture").x);
+}
+
 TEST_F(Shell, AWindowWithoutASceneSaysHowToOpenOne) {
     no_scene_ = true;
     facts_.file = "";

@@ -179,20 +179,22 @@ namespace fs = std::filesystem;
 constexpr const char* size = "160x120";
 constexpr int seconds = 20;  // of one picture
 
-bool current(const std::string& picture, fs::file_time_type written) {
-    std::error_code missing;
-    const auto made = fs::last_write_time(picture, missing);
-    return !missing && made >= written;
+// When the file was last written, or took the place of another one, which may have been written later than it. 0 if it
+// is missing.
+std::chrono::nanoseconds written_at(const std::string& file) {
+    struct stat now {};
+    if (stat(file.c_str(), &now) != 0) return {};
+    return std::chrono::seconds(now.st_ctim.tv_sec) + std::chrono::nanoseconds(now.st_ctim.tv_nsec);
 }
 
-// The earliest time if there are none.
-fs::file_time_type last_written(const std::vector<std::string>& files) {
-    auto last = fs::file_time_type::min();
-    for (const std::string& file : files) {
-        std::error_code missing;
-        const auto written = fs::last_write_time(file, missing);
-        if (!missing) last = std::max(last, written);
-    }
+bool current(const std::string& picture, std::chrono::nanoseconds written) {
+    const std::chrono::nanoseconds made = written_at(picture);
+    return made.count() > 0 && made >= written;
+}
+
+std::chrono::nanoseconds last_written(const std::vector<std::string>& files) {
+    std::chrono::nanoseconds last{0};
+    for (const std::string& file : files) last = std::max(last, written_at(file));
     return last;
 }
 

@@ -1,7 +1,7 @@
 // Lists a folder for the file browser, and keeps or makes small pictures of its scenes.
 #pragma once
 
-#include <filesystem>
+#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -73,7 +73,7 @@ public:
     std::string_view why(const std::string& scene) const;
 
 private:
-    using Time = std::filesystem::file_time_type;
+    using Time = std::chrono::nanoseconds;  // since 1970
     // When the scene, or a file that it reads, was written last. Which these are is read from the texts again if one of
     // them was written, for one scene at each look; `reads`: for this one.
     std::optional<Time> written(const std::string& scene, bool& reads);

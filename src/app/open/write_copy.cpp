@@ -35,6 +35,12 @@ CopyNames names_for(const std::string& marked, const Access& access) {
     return copy_names(marked, files_read_by(marked, access), "the new folder");
 }
 
+std::string renamed(const CopyNames& names, const fs::path& folder, const std::string& name) {
+    fs::path scene = folder / names.scene;
+    if (!name.empty()) scene.replace_filename(name);
+    return scene.string();
+}
+
 // The files of the copy. Sets `copy.error` if the scene would not find them there.
 std::vector<Target> gather(const std::string& scene, const Access& access,
                            const std::map<std::string, std::string>& texts, const fs::path& folder,
@@ -44,9 +50,7 @@ std::vector<Target> gather(const std::string& scene, const Access& access,
     const CopyNames names = names_for(marked, access);
     copy.error = names.error;
     if (names.files.empty()) copy.error = fmt::format("cannot read '{}'", shown(scene));
-    fs::path renamed = folder / names.scene;
-    if (!name.empty()) renamed.replace_filename(name);
-    copy.scene = renamed.string();
+    copy.scene = renamed(names, folder, name);
     std::map<std::string, const std::string*> changed;
     for (const auto& [path, text] : texts) changed.emplace(plain(path), &text);
     std::vector<Target> targets;
@@ -60,7 +64,8 @@ std::vector<Target> gather(const std::string& scene, const Access& access,
         std::string wrong;
         std::optional<std::string> bytes = text ? *text.mapped() : files.read(named.path, wrong);
         if (!bytes) copy.error = fmt::format("cannot read '{}': {}", shown_path(named.path), wrong);
-        targets.push_back({named.name == names.scene ? renamed : folder / named.name, std::move(bytes).value_or("")});
+        targets.push_back(
+            {named.name == names.scene ? fs::path(copy.scene) : folder / named.name, std::move(bytes).value_or("")});
     }
     if (!changed.empty() && copy.error.empty())
         copy.error = fmt::format("the scene does not read '{}'", shown(changed.begin()->first));
@@ -118,6 +123,12 @@ std::string write_all(const std::vector<Target>& targets, const fs::path& folder
 }
 
 }  // namespace
+
+std::string place_in_copy(const std::string& scene, const Access& access, const std::string& folder,
+                          const std::string& name) {
+    const CopyNames names = names_for(marked_path(scene), access);
+    return names.error.empty() && !names.files.empty() ? renamed(names, fs::path(folder).lexically_normal(), name) : "";
+}
 
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
                        const std::string& folder, const std::string& name) {

@@ -27,6 +27,10 @@ struct WrittenCopy {
 WrittenCopy write_copy(const std::string& scene, const Access& access, const std::map<std::string, std::string>& texts,
                        const std::string& folder, const std::string& name = {});
 
+// Where write_copy() writes the scene; "" if it can't.
+std::string place_in_copy(const std::string& scene, const Access& access, const std::string& folder,
+                          const std::string& name);
+
 // The names that the files of a scene get in a copy, which is a page or another folder, by which the scene finds them
 // there as it does on the disk.
 

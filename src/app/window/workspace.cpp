@@ -9,6 +9,7 @@
 #include "src/app/desktop/folder.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/quality.h"
+#include "src/app/page/page.h"
 
 namespace snell {
 
@@ -49,13 +50,6 @@ void carry_sliders(const std::vector<Index>& programs, ui::Memory& memory) {
     carry_motions(programs, memory.animated);
     for (auto& [program, name] : std::exchange(memory.logarithmic, {}))
         if (program < programs.size() && programs[program] != none) memory.logarithmic.emplace(programs[program], name);
-}
-
-void expand_tilde(ui::SaveAs& dialog) {
-    const std::string whole = without_tilde(dialog.file.data());
-    if (whole.size() >= dialog.file.size()) return;
-    dialog.file.fill('\0');
-    whole.copy(dialog.file.data(), whole.size());
 }
 
 }  // namespace
@@ -202,7 +196,6 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
             memory.failures.exchanged(undone);
             keeper_.look_again();
         }
-        if (requests.save_as_now) expand_tilde(memory.save_as);
         Keeper::Served served = keeper_.serve(requests, *document(), shown, memory);
         if (!served.copied.empty()) window.set_clipboard(served.copied);
         if (requests.save_as) memory.save_as.folder = folder();
@@ -223,6 +216,12 @@ std::optional<std::string> Workspace::serve(const ui::Requests& requests, const 
 
 void Workspace::serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory) {
     ui::SaveAs& dialog = memory.save_page;
+    if (std::string missing; requests.save_page && app::web_file("page.html", missing).empty()) {
+        const std::size_t help = missing.find("\n   help: ");
+        return memory.failed({fmt::format("no page can be saved: {}\nHelp: {}", missing.substr(0, help),
+                                          missing.substr(missing.find(": ", help) + 2)),
+                              ui::Failure::Remedy::page});
+    }
     if (requests.save_page)
         ui::open_save_as(dialog, std::filesystem::path(session_.path()).stem().string() + ".html", folder());
     if (!requests.save_page_now) return;

@@ -53,17 +53,32 @@ void complain(const std::string& text, const std::string& name, Layout& layout) 
 // What the dialog asks or complains of.
 void questions(const SaveAs& dialog, const std::string& name, Layout& layout) {
     if (dialog.asks())
-        ImGui::TextWrapped("%s exists. Replace it?", shortened(dialog.existing, 30 * ImGui::GetFontSize()).c_str());
+        ImGui::TextWrapped(dialog.makes ? "There is no folder %s. Make it?" : "%s exists. Replace it?",
+                           shortened(dialog.existing, 30 * ImGui::GetFontSize()).c_str());
     if (!dialog.error.empty()) complain(dialog.error, name, layout);
 }
 
 // "Cancel" and, behind it at the right end, what the dialog is for. Returns true if that was pressed.
 bool answered(SaveAs& dialog, const char* word, const std::string& name, Layout& layout) {
-    if (dialog.asks()) word = "Replace";
+    if (dialog.asks()) word = dialog.makes ? "Make" : "Replace";
     to_right(button_width("Cancel") + button_width(word) + ImGui::GetStyle().ItemSpacing.x);
     if (button("Cancel", layout, name + " cancel") || pressed(Key::escape)) dialog.open = false;
     ImGui::SameLine();
     return button(word, layout, name + " save");
+}
+
+// The field of a name. Returns true if Enter confirms it: after a refusal once more without another name, because its
+// cause may be gone.
+bool name_field(const char* id, SaveAs& dialog, ImGuiInputTextFlags flags) {
+    const bool refused = !dialog.error.empty() || (dialog.asks() && dialog.makes);
+    const bool again = refused && kit().focus.at == ImGui::GetID(id) && !ImGui::IsAnyItemActive() &&
+                       (pressed(Key::enter) || pressed(Key::keypad_enter));
+    if (again) {
+        ui::take(Key::enter);
+        ui::take(Key::keypad_enter);
+    }
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    return text_field(id, "", dialog.file, ImGuiInputTextFlags_EnterReturnsTrue | flags) || again;
 }
 
 // Returns true when the user confirms the name.
@@ -73,16 +88,14 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
     if (!begin_dialog(words.title, 30)) return false;
     wrapped(words.label);
     if (fresh) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool entered =
-        text_field("##name", "", dialog.file, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered = name_field("##name", dialog, ImGuiInputTextFlags_AutoSelectAll);
     layout.note(words.name + " file");
     tip(words.tip);
     if (!dialog.folder.empty()) {
         const std::string_view name = dialog.file.data();
         const bool whole = name == "~" || name.starts_with("~/") || name.starts_with('/');  // it says which folder
         const bool elsewhere = words.elsewhere && (whole || name.find('/') != name.npos);
-        fitted(elsewhere ? words.elsewhere
+        fitted(elsewhere ? (dialog.place.empty() ? words.elsewhere : dialog.place)
                : whole   ? ""
                          : "in " + dialog.folder,
                ImGui::GetContentRegionAvail().x, true);
@@ -97,8 +110,11 @@ bool save_as_window(SaveAs& dialog, const SaveAsWords& words, Layout& layout) {
 
 }  // namespace
 
-bool confirmed(SaveAs& dialog, bool exists, const std::string& path) {
-    dialog.there = exists && !dialog.asks() ? dialog.file.data() : "";
+bool confirmed(SaveAs& dialog, bool asks, const std::string& path, bool makes) {
+    const bool answered = dialog.asks() && dialog.makes == makes;
+    dialog.there = asks && !answered ? dialog.file.data() : "";
+    dialog.makes = makes;
+    if (!dialog.there.empty()) dialog.error.clear();
     dialog.existing = utf8::printable(path.substr(path.rfind('/') + 1));
     return dialog.there.empty();
 }
@@ -158,6 +174,15 @@ void whole(const char* id, double& value, double initial, Layout& layout, const 
 void set_size(PictureMemory& picture, const Rect& scene, double factor) {
     picture.width = std::max(1., std::round(scene.width * factor));
     picture.height = std::max(1., std::round(scene.height * factor));
+}
+
+// Which picture is saved, where another one is seen; "" otherwise.
+std::string_view saved_picture(const Facts& facts) {
+    const bool found = facts.found && !facts.found->shown.empty();
+    if (facts.states)
+        return found ? "of the scene as it is now, without the comparison and the found rung"
+                     : "of now, without the comparison";
+    return found ? "of the scene, without the found rung" : "";
 }
 
 void size_row(PictureMemory& picture, const Rect& scene, Layout& layout) {
@@ -250,12 +275,10 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
     ImGui::BeginDisabled(picture.progress.has_value());
     row("File", "The extension sets the format: .png, .bmp, .exr \u2026");
     if (fresh) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-FLT_MIN);
     // Enter saves, where it does not end the typing of a number.
     const bool free =
         !ImGui::IsAnyItemActive() && !kit().typing.id && (pressed(Key::enter) || pressed(Key::keypad_enter));
-    const bool entered =
-        text_field("##file", "", picture.file, ImGuiInputTextFlags_EnterReturnsTrue) || (free && kit().focus.at == 0);
+    const bool entered = name_field("##file", picture, 0) || (free && kit().focus.at == 0);
     layout.note("picture file");
     if (!picture.folder.empty()) {
         row("");
@@ -266,6 +289,11 @@ void picture_window(const Facts& facts, Memory& memory, Requests& requests, Layo
             fitted(picture.names, ImGui::GetContentRegionAvail().x, true);
             layout.note("picture names");
         }
+    }
+    if (const std::string_view which = saved_picture(facts); !which.empty()) {
+        row("Picture");
+        wrapped(which);
+        layout.note("picture which");
     }
     size_row(picture, memory.scene, layout);
     if (facts.animated || memory.animating())

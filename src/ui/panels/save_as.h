@@ -18,18 +18,21 @@ struct Requests;
 struct SaveAs {
     bool open = false;
     std::array<char, 2048> file{};  // relative to the scene's folder
-    std::string there;              // the name that was given, if the user is asked to replace a file; empty if not
-    std::string existing;           // that file
+    std::string there;              // the name that was given, if the user is asked; empty if not
+    bool makes = false;             // whether to make a folder is asked then, otherwise whether to replace a file
+    std::string existing;           // that file, or that folder
     std::string error;              // why nothing was saved; empty if there was no error
     std::string folder;             // that the name is relative to, as displayed; may be empty
+    std::string place;              // where the file goes if that is not where it is typed, as displayed
+    std::string placed;             // the name of which that is said
 
     // True while the user is asked, unless the name was changed.
     bool asks() const { return !there.empty() && there == file.data(); }
 };
 
-// True if the file of this path may be written: it does not exist, or the user has confirmed. Otherwise the dialog
-// asks.
-bool confirmed(SaveAs& dialog, bool exists, const std::string& path);
+// True if the file of this path may be written, or the folder made: there is nothing to ask, or the user has confirmed.
+// Otherwise the dialog asks.
+bool confirmed(SaveAs& dialog, bool asks, const std::string& path, bool makes = false);
 // Opens a dialog with a name to begin with.
 void open_save_as(SaveAs& dialog, const std::string& name, std::string folder = {});
 // Draws the dialogs while they are open.

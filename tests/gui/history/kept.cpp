@@ -288,7 +288,7 @@ TEST_F(Past, SaveAsWritesTheValuesUnderAnotherNameAndShowsIt) {
     type("save as file", "other/three", Field::text);
     ASSERT_TRUE(wait([&](const json& s) { return s["file"] == file("other/three.glib"); }));
     settle();
-    EXPECT_EQ(notice(), "saved as three.glib with its 2 files");
+    EXPECT_EQ(notice(), "saved as three.glib in " + file("other") + " with its 2 files");
     EXPECT_EQ(state()["errors"], 0);
     EXPECT_EQ(red(), slid);
     EXPECT_EQ(bytes("other/paint.frag"), bytes("paint.frag"));

@@ -14,6 +14,8 @@
 #include <unistd.h>
 
 #include "parser/text/words.h"
+#include "src/app/desktop/folder.h"
+#include "src/app/desktop/settings.h"
 #include "src/app/open/ending.h"
 #include "src/app/open/write_copy.h"
 #include "src/content/files.h"
@@ -54,17 +56,58 @@ std::string left_out(const std::vector<std::string>& moving) {
                        moving.size() == 1 ? "moves" : "move");
 }
 
-void save_as(const Document& document, ui::Memory& memory, Keeper::Served& served) {
-    ui::SaveAs& dialog = memory.save_as;
-    std::string name = dialog.file.data();
+// What the user has changed of the view, which no scene has.
+std::string not_written(const View& view) {
+    View without = view;
+    without.objects.clear();
+    const std::string all = view_text(view), turned = view_text(without);
+    if (all.empty()) return "";
+    return fmt::format("; {} not written to the scene", turned.empty()  ? "moved objects are"
+                                                        : turned == all ? "the view is"
+                                                                        : "the view and moved objects are");
+}
+
+// What is typed, as the name of a scene.
+std::string scene_name(const ui::SaveAs& dialog) {
+    std::string name = without_tilde(dialog.file.data());
     const std::string last = name.substr(name.rfind('/') + 1);
     if (last.find_first_not_of('.') != std::string::npos && !last.ends_with(".glib")) name += ".glib";
-    SavedAs saved = saved_as(document, name, memory.animated);
-    const std::filesystem::path to = saved.file.path;
+    return name;
+}
+
+// Says where the scene goes if that is not where it is typed, whenever another name is typed.
+void tell_place(const Document& document, ui::SaveAs& dialog) {
+    std::string name = scene_name(dialog);
+    if (dialog.placed == name) return;
+    dialog.placed = std::move(name);
+    dialog.place.clear();
+    const SavedAs as = saved_as(document, dialog.placed);
+    if (!as.lacks && !as.missing) return;
+    const std::filesystem::path to = as.file.path;
+    const std::string place =
+        app::place_in_copy(document.path, document.files->access(), to.parent_path().string(), to.filename().string());
+    if (!place.empty() && place != to)
+        dialog.place = fmt::format("as {}, with its files", utf8::printable(with_tilde(whole_path(place))));
+}
+
+// The file by its name, where it is in the folder that was asked for, and that folder, if it is not the scene's own.
+std::string name_and_folder(const std::filesystem::path& file, const std::filesystem::path& folder,
+                            const Document& document) {
+    if (whole_path(folder / "x") == whole_path(std::filesystem::path(document.path).parent_path() / "x"))
+        return printable_name(file);
+    return utf8::printable(
+        fmt::format("{} in {}", file.lexically_relative(folder).string(), with_tilde(whole_path(folder))));
+}
+
+void save_as(const Document& document, ui::Memory& memory, Keeper::Served& served) {
+    ui::SaveAs& dialog = memory.save_as;
+    SavedAs saved = saved_as(document, scene_name(dialog), memory.animated);
+    const std::filesystem::path to = saved.file.path, folder = to.parent_path();
+    if (saved.missing && !ui::confirmed(dialog, true, folder.string(), true)) return;
     std::size_t copied = 0;
-    if (saved.lacks) {  // from there the scene would not find its files: they go with it
+    if (saved.lacks || saved.missing) {  // from there the scene would not find its files: they go with it
         const app::WrittenCopy copy = app::write_copy(document.path, document.files->access(), saved.texts,
-                                                      to.parent_path().string(), to.filename().string());
+                                                      folder.string(), to.filename().string());
         saved.error = copy.error;
         saved.file.path = copy.scene;
         copied = copy.files.size();
@@ -86,7 +129,7 @@ void save_as(const Document& document, ui::Memory& memory, Keeper::Served& serve
     dialog.open = false;
     memory.failures.done(Remedy::save);
     const std::string with = copied > 1 ? fmt::format(" with its {}", counted(copied - 1, "file")) : "";
-    served.as = "saved as " + printable_name(saved.file.path) + with + left_out(saved.moving);
+    served.as = "saved as " + name_and_folder(saved.file.path, folder, document) + with + left_out(saved.moving);
     served.saved_as = saved.file.path;
 }
 
@@ -102,8 +145,9 @@ void Keeper::tell(ui::Facts& facts, const Document* document, std::span<const An
 Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, const Picture& picture,
                              ui::Memory& memory) {
     Served served;
-    if (requests.save) save(document, memory, served);
+    if (requests.save) save(document, picture.view, memory, served);
     if (requests.save_as) ui::open_save_as(memory.save_as, short_name(document.path));
+    if (memory.save_as.open) tell_place(document, memory.save_as);
     if (requests.save_as_now) save_as(document, memory, served);
     if (requests.restore_snapshot > 0) restore(requests.restore_snapshot, document, memory);
     if (requests.store_snapshot > 0)
@@ -116,7 +160,7 @@ Keeper::Served Keeper::serve(const ui::Requests& requests, Document& document, c
     return served;
 }
 
-void Keeper::save(const Document& document, ui::Memory& memory, Served& served) {
+void Keeper::save(const Document& document, const View& view, ui::Memory& memory, Served& served) {
     Saved saved = saved_values(document, memory.animated);
     const bool changed = !saved.error.empty();  // by another program, or it is gone
     if (saved.error.empty()) saved.error = write_saved(saved.files);
@@ -142,7 +186,7 @@ void Keeper::save(const Document& document, ui::Memory& memory, Served& served) 
     }
     notice += left_out(saved.moving);
     if (!saved.widened.empty()) notice += utf8::printable(fmt::format("; range of {}", fmt::join(saved.widened, ", ")));
-    if (saved.files.empty()) notice += "; the view and moved objects are not written to the scene";
+    if (saved.files.empty()) notice += not_written(view);
     served.files = std::move(saved.files);
 }
 

@@ -49,7 +49,7 @@ public:
     Served serve(const ui::Requests& requests, Document& document, const Picture& picture, ui::Memory& memory);
 
 private:
-    static void save(const Document& document, ui::Memory& memory, Served& served);
+    static void save(const Document& document, const View& view, ui::Memory& memory, Served& served);
     void store(int number, Setup values, ui::Memory& memory, Served& served);
     void remove(int number, ui::Memory& memory, Served& served);
 
