@@ -23,7 +23,8 @@ void Measuring::leave() {
     found_.leave();
 }
 
-// What it takes is known roughly only, and a picture of another size is measured from the beginning.
+// What it takes is known roughly only, and a picture of another size is measured from the beginning. Rungs that were
+// measured at a size have shown how long it takes, so another rung or a second state changes nothing about it.
 const Stand& Measuring::measured(const Display& display) {
     constexpr int smallest = 16;  // a divisor
     const bool sharp = display.drawn().grain == 0 && display.sharp_share() == 0;
@@ -34,9 +35,10 @@ const Stand& Measuring::measured(const Display& display) {
     int divide = lasts > 0 ? std::max(measured_.enlarged, 1) : 1;
     while (divide < smallest && lasts / divide / divide > 2 * Strips::aim) divide *= 2;
     while (divide > 1 && lasts / divide / divide < Strips::aim / 2) divide /= 2;
-    measured_ = display.drawn().stand;
+    const Stand& stand = display.drawn().stand;
+    if (const int kept = accuracy_.kept_size(stand); kept > 0) divide = kept;
+    measured_ = smaller(stand, divide);
     samples_ = display.samples();
-    if (divide > 1) measured_ = smaller(std::move(measured_), divide);
     return measured_;
 }
 
