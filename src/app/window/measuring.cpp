@@ -18,9 +18,18 @@ void Measuring::begin_scene(const std::string& scene) {
     explained_ = {};
 }
 
-void Measuring::leave() {
+void Measuring::leave(ui::AccuracyMemory& memory) {
     accuracy_.leave();
     found_.leave();
+    follow_rung(memory);
+}
+
+// What a rung was compared with the scene by ends with it, or else two states would be shown that nobody asked for.
+void Measuring::follow_rung(ui::AccuracyMemory& memory) {
+    using Show = ui::AccuracyMemory::Show;
+    const bool before = std::exchange(of_rung_, found_.rung() != nullptr);
+    if (!before) alone_ = memory.show == Show::picture;
+    if (before && !of_rung_ && alone_) memory.show = Show::picture;
 }
 
 // What it takes is known roughly only, and a picture of another size is measured from the beginning. Rungs that were
@@ -72,8 +81,7 @@ bool Measuring::follow(Document& scene, const Session& session, const Display& d
     const Stand& measure = measured(display);
     const bool found = found_.follow(scene, stale || !failed.empty(), stand, still, memory.accuracy);
     AccuracyView::Pair pair;
-    const bool both = states_.active() && states_.shows(false) && states_.shows(true);
-    if (found_.rung() || (both && !states_.with_reference()))
+    if (found_.rung() || (states_.active() && comparable() && !states_.with_reference()))
         pair = {&shown(scene), found_.rung() ? &scene : &states_.right(scene), showing()};
     accuracy_.follow(scene, stale, failed, measure, memory.accuracy, pair);
     Document& document = shown(scene);
@@ -98,7 +106,7 @@ bool Measuring::follow(Document& scene, const Session& session, const Display& d
     if (column) add(true, "the scene as it is");
     sight.divider = column.value_or(0);
     bool pixels = pixels_.follow(sight, memory.pixels);
-    const Inspection* const inspected = sight.heat ? pixels_.inspection() : nullptr;
+    const Inspection* const inspected = sight.heat && comparable() ? pixels_.inspection() : nullptr;
     pixels |= pixels_.set_difference(inspected ? accuracy_.difference(inspected->x, inspected->y, memory.accuracy)
                                                : std::nullopt);
     return pixels || opened || texels || found || nan;
@@ -121,6 +129,7 @@ std::string Measuring::serve(const ui::Requests& requests, Document* document, u
     if (requests.store_snapshot > 0 || requests.delete_snapshot > 0) states_.reread_snapshots();
     if (requests.find_rungs || requests.show_rung) accuracy_.leave_pair();
     if (document) found_.serve(requests, *document, measured_, memory);
+    follow_rung(memory.accuracy);
     return requests.copy_rung ? found_.command() : "";
 }
 
@@ -172,7 +181,7 @@ bool Measuring::outdated(const Document& document) const {
 }
 
 void Measuring::show(int y, const ui::Memory& memory) {
-    accuracy_.show(y, memory.accuracy);
+    if (comparable()) accuracy_.show(y, memory.accuracy);
     pixels_.show(y, divider(pixels_.width(), memory.accuracy));
 }
 
