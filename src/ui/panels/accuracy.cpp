@@ -193,8 +193,12 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     tip(facts.of_scene ? "Rungs are measured against the reference, not while two other states are shown"
                        : "Measures error and time of every rung of this ladder");
     layout.note("accuracy.measure");
+    // Its room is there all the time, so that rows do not move under the pointer.
+    const float high = ImGui::GetFontSize() * .4F;
     if (facts.measured)
-        ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
+        ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, high}, "");
+    else
+        ImGui::Dummy({1, high});
     return pressed;
 }
 
@@ -559,20 +563,24 @@ content::PlotPoint plotted(const AccuracyPoint& point) {
             .label = point.rung || point.reference ? std::optional(0) : std::nullopt};
 }
 
-// What the marks of these points mean, in rows from that height on. Returns where they end.
+// What the marks of these points mean, in rows from that height on. Returns where those of all marks would end, so that
+// what is below stays in place.
 double key_of(const std::vector<content::PlotPoint>& points, const std::array<float, 3>& at, double top, double em,
               content::Page& page) {
     const double row = content::line_height * em;
     double x = at[0], y = top;
+    bool all = false;
     const auto entry = [&](bool occurs, const char* words, auto&& draw_at) {
-        if (!occurs) return;
+        if (!occurs && !all) return;
         const double mark = 1.4 * em, width = mark + page.width(words, em);
         if (x > at[0] && x + width > at[0] + at[2]) {
             x = at[0];
             y += row;
         }
-        draw_at(x + .5 * em, y + row / 2);
-        page.text(x + mark, y, words, em, content::Ink::text);
+        if (!all) {
+            draw_at(x + .5 * em, y + row / 2);
+            page.text(x + mark, y, words, em, content::Ink::text);
+        }
         x += width + em;
     };
     const auto point = [&](const content::PlotPoint& one, const char* words, auto&& is) {
@@ -580,14 +588,19 @@ double key_of(const std::vector<content::PlotPoint>& points, const std::array<fl
               [&](double left, double middle) { draw_point(page, one, left, middle, em); });
     };
     using P = content::PlotPoint;
-    point({.front = true}, "worth its time", [](const P& p) { return p.front; });
-    point({.beaten = true}, "another is better", [](const P& p) { return p.beaten; });
-    point({}, "not compared, or unsure", [](const P& p) { return !p.front && !p.beaten; });
-    point({.chosen = true}, "is shown", [](const P& p) { return p.chosen; });
-    const auto timed = ranges::find_if(points, [](const P& p) { return p.low > 0 && p.low < p.high; });
-    entry(timed != points.end(), "range of its time",
-          [&](double left, double middle) { draw_bar(page, *timed, left - .5 * em, left + .5 * em, middle, em); });
-    return points.empty() ? top : y + row;
+    for (const bool each : {false, true}) {
+        all = each;
+        x = at[0];
+        y = top;
+        point({.front = true}, "worth its time", [](const P& p) { return p.front; });
+        point({.beaten = true}, "another is better", [](const P& p) { return p.beaten; });
+        point({}, "not compared, or unsure", [](const P& p) { return !p.front && !p.beaten; });
+        point({.chosen = true}, "is shown", [](const P& p) { return p.chosen; });
+        const auto timed = ranges::find_if(points, [](const P& p) { return p.low > 0 && p.low < p.high; });
+        entry(timed != points.end(), "range of its time",
+              [&](double left, double middle) { draw_bar(page, *timed, left - .5 * em, left + .5 * em, middle, em); });
+    }
+    return y + row;
 }
 
 void draw(const std::vector<AccuracyPoint>& points, std::array<float, 3> at, float em, AccuracyPlot& drawn) {
