@@ -243,6 +243,36 @@ TEST_F(LadderWindow, WithoutAReferenceThereIsNoHeatMapNorItsLegend) {
     keep("no-heat-map");
 }
 
+TEST_F(LadderWindow, WithoutAPictureOfTheReferenceTheHeatMapIsThePlainPicture) {
+    click("DETAIL");
+    click("DETAIL.near");
+    settle();
+    std::string broken = with("float red = .3;", "float red = no_such_function();");
+    save("paint.frag", broken.replace(broken.find(".4;"), 2, "nope"));
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == true; }));
+    user("key s");
+    settle();
+    EXPECT_GT(scene_pixel(40, 20).red, 240) << "that half is empty";
+    click("accuracy.other");
+    settle();
+    for (const char* side : {"now", "swapped"}) {
+        expect_red(scene_pixel(-40, 20), .4);
+        expect_red(scene_pixel(40, 20), .4);
+        EXPECT_TRUE(shows("accuracy.no map")) << side;
+        EXPECT_FALSE(shows("accuracy.legend")) << side;
+        click("accuracy.swap");
+        settle();
+    }
+    // There are errors to compare with, but not of what was chosen.
+    save("paint.frag", with("float red = .8;", "float red = no_such_function();"));
+    ASSERT_TRUE(wait([](const json& s) { return s["stale"] == false; }));
+    click("accuracy.right");
+    click("right.DETAIL=far");
+    settle();
+    expect_red(scene_pixel(-40, 20), .4);
+    EXPECT_TRUE(shows("accuracy.no map"));
+}
+
 TEST_F(LadderWindow, TheReferenceBesideThePictureAndWhereTheyDiffer) {
     click("DETAIL");
     click("DETAIL.far");

@@ -127,6 +127,59 @@ TEST_F(FoundWindow, ARungIsShownAsItWouldBeWrittenAndTheSceneComesBack) {
     EXPECT_EQ(state()["gl_errors"], json::array());
 }
 
+// Two states that were compared before do not come back with it.
+TEST_F(FoundWindow, WhateverEndsARungShowsTheSceneAgain) {
+    const std::vector<Pixel> before = scene_now();
+    user("key s");
+    settle();
+    click("accuracy.right");
+    click("right.settings");
+    user("type --delay 8 uGreen=0.9");
+    user("key Return");
+    settle();
+    user("key s");
+    settle();
+    const std::string name = fewer_rounds();
+    ASSERT_NE(name, "");
+    const auto split = [&] {
+        click("found.row." + name, .9);
+        ASSERT_TRUE(wait_shown(name));
+        click("accuracy.Split", .2);
+        away();
+        EXPECT_TRUE(state().contains("states"));
+    };
+    const auto expect_scene = [&](const char* what) {
+        EXPECT_FALSE(state().contains("states")) << what;
+        EXPECT_EQ(scene_now(), before) << what;
+    };
+    split();
+    user("key Escape");
+    ASSERT_TRUE(wait_shown(""));
+    expect_scene("Esc");
+    split();
+    click("accuracy");
+    away();
+    expect_scene("the panel was closed");
+    click("accuracy");
+    settle();
+    // A comparison that was there before the rung is there after it.
+    user("key s");
+    settle();
+    click("found.row." + name, .9);
+    ASSERT_TRUE(wait_shown(name));
+    user("key Escape");
+    ASSERT_TRUE(wait_shown(""));
+    ASSERT_TRUE(state().contains("states"));
+    EXPECT_EQ(state()["states"][1], "uGreen 0.9");
+    user("key s");
+    settle();
+    split();
+    save("paint.frag", std::string(loop_fragment) + "\n");
+    ASSERT_TRUE(wait([](const json& s) { return s["revision"] == 2; }));
+    away();
+    expect_scene("a file was saved");
+}
+
 TEST_F(FoundWindow, RungsHaveErrorsAndCosts) {
     save("paint.vert",
          "#version 330 compatibility\nvoid main() { gl_Position = gl_ModelViewProjectionMatrix * "

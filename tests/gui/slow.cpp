@@ -178,6 +178,37 @@ TEST_F(SlowPictures, SideBySideAreAsCoarseAndComeInStripsTogether) {
     EXPECT_EQ(drawn(), (std::array{0, 0})) << "the scene is not drawn again";
 }
 
+TEST_F(SlowPictures, KeepWhatWasMeasuredOfTheirRungs) {
+    std::string laddered = shader("int(uRounds)");
+    laddered.insert(0, "#if N == N_slow\n#define ROUNDS uRounds\n#else\n#define ROUNDS 1.\n#endif\n");
+    const std::string_view rounds = "float(i) >= uRounds";
+    laddered.replace(laddered.find(rounds), rounds.size(), "float(i) >= ROUNDS");
+    save("paint.frag", laddered);
+    save("slow.glib", "Ladder N <quick> slow exact\n" + scene("1100"));
+    open("slow.glib", {"--no-specialise", "--size", "640x700"});
+    user("key a");
+    const auto measured = [](const json& s) {
+        if (!s.contains("accuracy") || s["accuracy"]["measuring"] || s["accuracy"]["points"].size() != 3) return false;
+        for (const json& point : s["accuracy"]["points"])
+            if (!(point["milliseconds"] > 0)) return false;
+        return true;
+    };
+    ASSERT_TRUE(wait(
+        [](const json& s) { return s.contains("accuracy") && s["accuracy"]["samples"] == s["accuracy"]["wanted"]; }));
+    click("accuracy.measure");
+    ASSERT_TRUE(wait(measured, 90)) << state()["accuracy"];
+    const bool reduced = state()["widgets"].contains("accuracy.reduced");
+    for (const char* what : {"slow", "two states", "one state"}) {
+        if (what == std::string("slow"))
+            click("accuracy.rung.slow", .1);
+        else
+            user("key s");
+        settle();
+        EXPECT_TRUE(measured(state())) << what << ": " << state()["accuracy"];
+        EXPECT_EQ(state()["widgets"].contains("accuracy.reduced"), reduced) << what;
+    }
+}
+
 // Each strip is short, and all of them take longer than anyone waits.
 TEST_F(SlowPictures, AreGivenUpWhereAllStripsTogetherTakeTooLong) {
     save(

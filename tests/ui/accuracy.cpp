@@ -133,7 +133,10 @@ TEST_F(AccuracyPanel, ThePlotSaysWhatItsMarksMeanAndNamesTheReference) {
                       // The other ladder is not at its last rung.
                       {.name = "exact, both", .milliseconds = 3, .error = 0, .reference = true}};
     EXPECT_TRUE(says("exact, both = reference"));
-    const float before = place("accuracy.plot").height;
+    const float before = place("accuracy.plot").height, row = place("accuracy.rung.exact").y;
+    values_.measured = .5;
+    EXPECT_EQ(place("accuracy.rung.exact").y, row) << "a measurement moves no row";
+    values_.measured.reset();
     EXPECT_TRUE(says("not compared, or unsure"));
     for (const char* other : {"worth its time", "another is better", "is shown", "range of its time"})
         EXPECT_FALSE(says(other)) << "there is none";
@@ -146,7 +149,7 @@ TEST_F(AccuracyPanel, ThePlotSaysWhatItsMarksMeanAndNamesTheReference) {
     for (const char* words : {"worth its time", "another is better", "is shown", "range of its time"})
         EXPECT_TRUE(says(words)) << words;
     const Rect plot = place("accuracy.plot");
-    EXPECT_GT(plot.height, before) << "in two rows";
+    EXPECT_EQ(plot.height, before) << "its room was there";
     for (const content::Mark& mark : memory_.accuracy.plot.marks) {
         EXPECT_LE(mark.at.x1, plot.x + plot.width) << mark.text;
         EXPECT_LE(mark.at.y1, plot.y + plot.height) << mark.text;

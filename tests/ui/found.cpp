@@ -267,6 +267,20 @@ TEST_F(FoundPanel, RowsStayUnderThePointer) {
     EXPECT_FALSE(has("found.row.3"));
 }
 
+TEST_F(FoundPanel, ButtonsStayUnderThePointerWhenTheSearchEnds) {
+    add("1");
+    found_.progress = .9;
+    found_.doing = "trying 7 of 8";
+    found_.shown = "1";
+    const Rect before = place("found.write");
+    frame({move(before.x + before.width / 2, before.y + before.height / 2)});
+    found_.progress.reset();
+    EXPECT_EQ(place("found.write").y, before.y);
+    EXPECT_TRUE(clicked("found.write").write_rung);
+    frame({move(5, 5)});
+    EXPECT_LT(place("found.write").y, before.y) << "the room is given up";
+}
+
 TEST_F(FoundPanel, AChangeKeepsWhatDiffers) {
     frame();  // there are letters
     const std::string before = "vec3(uTint) + 4. * noise(vAt, 16) - bias",
@@ -280,7 +294,15 @@ TEST_F(FoundPanel, AChangeKeepsWhatDiffers) {
     const std::string narrow = change_text("normalize(uMatrix * gl_Normal)", "uMatrix * gl_Normal", 10 * 16);
     EXPECT_LE(width_of(narrow), 10 * 16 + 1);
     EXPECT_NE(narrow.find(" \u2192 "), narrow.npos);
-    EXPECT_TRUE(narrow.starts_with("nor") && narrow.ends_with("al")) << narrow;
+    EXPECT_TRUE(narrow.starts_with("nor") && narrow.find(" \u2192 uM") != narrow.npos) << narrow;
+    // Where two changes are together, from the first one on.
+    const std::string one = "vec4(0.25, 0., 0., 0.); float h = fbm(vAt * 12., 60",
+                      other = "vec4(0.5, 0., 0., 0.); float h = fbm(vAt * 12., 30";
+    const std::string first = change_text(one, other, width_of("\u20260.25,\u2026 \u2192 \u20260.5,\u2026") + 2);
+    EXPECT_TRUE(first.starts_with("\u20260.25") && first.find(" \u2192 \u20260.5") != first.npos) << first;
+    const std::string word =
+        change_text("a = 1234567890", "a = 1234567990", width_of("\u202667\u2026 \u2192 \u202667\u2026"));
+    EXPECT_TRUE(word.starts_with("\u20268") && word.find("\u2192 \u20269") != word.npos) << word;
 }
 
 TEST_F(FoundPanel, NarrowPanelsCutNoNumber) {

@@ -18,12 +18,22 @@ void Measuring::begin_scene(const std::string& scene) {
     explained_ = {};
 }
 
-void Measuring::leave() {
+void Measuring::leave(ui::AccuracyMemory& memory) {
     accuracy_.leave();
     found_.leave();
+    follow_rung(memory);
 }
 
-// What it takes is known roughly only, and a picture of another size is measured from the beginning.
+// What a rung was compared with the scene by ends with it, or else two states would be shown that nobody asked for.
+void Measuring::follow_rung(ui::AccuracyMemory& memory) {
+    using Show = ui::AccuracyMemory::Show;
+    const bool before = std::exchange(of_rung_, found_.rung() != nullptr);
+    if (!before) alone_ = memory.show == Show::picture;
+    if (before && !of_rung_ && alone_) memory.show = Show::picture;
+}
+
+// What it takes is known roughly only, and a picture of another size is measured from the beginning. Rungs that were
+// measured at a size have shown how long it takes, so another rung or a second state changes nothing about it.
 const Stand& Measuring::measured(const Display& display) {
     constexpr int smallest = 16;  // a divisor
     const bool sharp = display.drawn().grain == 0 && display.sharp_share() == 0;
@@ -34,9 +44,10 @@ const Stand& Measuring::measured(const Display& display) {
     int divide = lasts > 0 ? std::max(measured_.enlarged, 1) : 1;
     while (divide < smallest && lasts / divide / divide > 2 * Strips::aim) divide *= 2;
     while (divide > 1 && lasts / divide / divide < Strips::aim / 2) divide /= 2;
-    measured_ = display.drawn().stand;
+    const Stand& stand = display.drawn().stand;
+    if (const int kept = accuracy_.kept_size(stand); kept > 0) divide = kept;
+    measured_ = smaller(stand, divide);
     samples_ = display.samples();
-    if (divide > 1) measured_ = smaller(std::move(measured_), divide);
     return measured_;
 }
 
@@ -70,8 +81,7 @@ bool Measuring::follow(Document& scene, const Session& session, const Display& d
     const Stand& measure = measured(display);
     const bool found = found_.follow(scene, stale || !failed.empty(), stand, still, memory.accuracy);
     AccuracyView::Pair pair;
-    const bool both = states_.active() && states_.shows(false) && states_.shows(true);
-    if (found_.rung() || (both && !states_.with_reference()))
+    if (found_.rung() || (states_.active() && comparable() && !states_.with_reference()))
         pair = {&shown(scene), found_.rung() ? &scene : &states_.right(scene), showing()};
     accuracy_.follow(scene, stale, failed, measure, memory.accuracy, pair);
     Document& document = shown(scene);
@@ -96,7 +106,7 @@ bool Measuring::follow(Document& scene, const Session& session, const Display& d
     if (column) add(true, "the scene as it is");
     sight.divider = column.value_or(0);
     bool pixels = pixels_.follow(sight, memory.pixels);
-    const Inspection* const inspected = sight.heat ? pixels_.inspection() : nullptr;
+    const Inspection* const inspected = sight.heat && comparable() ? pixels_.inspection() : nullptr;
     pixels |= pixels_.set_difference(inspected ? accuracy_.difference(inspected->x, inspected->y, memory.accuracy)
                                                : std::nullopt);
     return pixels || opened || texels || found || nan;
@@ -119,6 +129,7 @@ std::string Measuring::serve(const ui::Requests& requests, Document* document, u
     if (requests.store_snapshot > 0 || requests.delete_snapshot > 0) states_.reread_snapshots();
     if (requests.find_rungs || requests.show_rung) accuracy_.leave_pair();
     if (document) found_.serve(requests, *document, measured_, memory);
+    follow_rung(memory.accuracy);
     return requests.copy_rung ? found_.command() : "";
 }
 
@@ -170,7 +181,7 @@ bool Measuring::outdated(const Document& document) const {
 }
 
 void Measuring::show(int y, const ui::Memory& memory) {
-    accuracy_.show(y, memory.accuracy);
+    if (comparable()) accuracy_.show(y, memory.accuracy);
     pixels_.show(y, divider(pixels_.width(), memory.accuracy));
 }
 

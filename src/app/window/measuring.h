@@ -27,11 +27,11 @@ public:
     // Forgets what was measured of the scene before.
     void begin_scene(const std::string& scene);
     // Call it when the scene was read again: its document may be another one.
-    void leave();
+    void leave(ui::AccuracyMemory& memory);
 
     // Call it before a picture is drawn: two states may be shown side by side.
     void prepare(Document& scene, const Session& session, const ui::AccuracyMemory& memory) {
-        states_.follow(scene, session.earlier(), session.revision(), memory);
+        states_.follow(scene, session.earlier(), session.revision(), session.stale(), memory);
     }
     // The document whose picture the window shows in place of the scene's: that of a found rung, the left one of two
     // states, or the scene's own.
@@ -89,11 +89,15 @@ public:
 
 private:
     std::string found_text() const;
+    // Call it whenever a found rung may be shown now, or not any more.
+    void follow_rung(ui::AccuracyMemory& memory);
     // What one half of the window shows; null: there is no picture of that state.
     Document* half(Document& scene, bool right);
     bool heat(const ui::Memory& memory) const {
         return states_.active() && memory.accuracy.show == ui::AccuracyMemory::Show::heat;
     }
+    // Whether there are pictures of what the heat map is of.
+    bool comparable() const { return found_.rung() || (states_.shows(false) && states_.shows(true)); }
     // The window's picture, or a smaller one of the same where it takes too long.
     const Stand& measured(const Display& display);
 
@@ -110,6 +114,8 @@ private:
     bool linking_ = false;                     // programs that tell what values switch off
     Stand measured_;                           // see measured()
     int samples_ = 1;                          // of the window's picture
+    bool of_rung_ = false;                     // a found rung is shown
+    bool alone_ = false;                       // the scene was shown alone before that
 };
 
 }  // namespace snell

@@ -446,7 +446,7 @@ void App::reload() {
     restart_.trying(workspace_.session().path());
     workspace_.reload(interface_.view(), interface_.memory());
     kept_frame_ = 0;  // where nothing new is shown, that is kept as before
-    measuring_.leave();
+    measuring_.leave(interface_.memory().accuracy);
     settle(until_equal);
 }
 

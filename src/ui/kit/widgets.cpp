@@ -168,13 +168,13 @@ std::size_t last_bytes(std::string_view text, std::size_t count) {
 
 }  // namespace
 
-Text shortened(std::string_view text, float width, bool code) {
+Text shortened(std::string_view text, float width, bool at_end) {
     if (width_of(text) <= width) return Text(text);
     static constexpr std::string_view dots = "\u2026";
-    const bool sentence = !code && text.find(' ') != text.npos;
-    const auto at_end = [&](std::size_t kept) { return sentence ? 0 : kept / 2; };
-    const auto head = [&](std::size_t kept) { return text.substr(0, first_bytes(text, kept - at_end(kept))); };
-    const auto tail = [&](std::size_t kept) { return text.substr(text.size() - last_bytes(text, at_end(kept))); };
+    const bool sentence = at_end || text.find(' ') != text.npos;
+    const auto behind = [&](std::size_t kept) { return sentence ? 0 : kept / 2; };
+    const auto head = [&](std::size_t kept) { return text.substr(0, first_bytes(text, kept - behind(kept))); };
+    const auto tail = [&](std::size_t kept) { return text.substr(text.size() - last_bytes(text, behind(kept))); };
     const float room = width - width_of(dots);
     std::size_t least = 1, most = std::max<std::size_t>(text.size(), 1);
     while (least < most) {

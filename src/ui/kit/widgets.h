@@ -64,8 +64,8 @@ bool has_room(const Rect& picture, float letters = 12);
 Rect with_room(Rect picture);
 // Cuts the middle out of a name so that it fits into the width, with dots for what is left out: names often differ only
 // at their ends. Text with blanks is cut at its end. At least one character stays. Pass only visible text, without the
-// hidden part after ##. With `code` the middle is cut out of text with blanks, too.
-Text shortened(std::string_view text, float width, bool code = false);
+// hidden part after ##. With `at_end` names are cut there, too.
+Text shortened(std::string_view text, float width, bool at_end = false);
 // Draws such a text as an item whose tooltip has all of it. Returns false if something was left out.
 bool fitted(std::string_view text, float width, bool dim = false);
 

@@ -51,16 +51,16 @@ void remark(const Text& text) {
 }
 
 // Says why nothing is compared.
-void note(const AccuracyFacts& facts, Layout& layout, const char* name) {
+void note(std::string_view why, Layout& layout, const char* name) {
     ImGui::PushStyleColor(ImGuiCol_Text, palette().error_text);
-    wrapped(facts.note);
+    wrapped(why);
     ImGui::PopStyleColor();
     layout.note(name);
 }
 
 void figures(const Facts& all, const AccuracyFacts& facts, Layout& layout) {
     last_picture(all, layout);
-    if (!facts.note.empty()) return note(facts, layout, "accuracy.note");
+    if (!facts.note.empty()) return note(facts.note, layout, "accuracy.note");
     const FoundRow* const rung = all.found ? shown_row(*all.found) : nullptr;
     const Text line =
         facts.samples > 0 ? error_line(facts.error, rung) : Text(all.accuracy ? "\u2026" : "no rung is shown");
@@ -108,10 +108,12 @@ void legend(const AccuracyFacts& facts, float width, Layout& layout) {
     layout.note("accuracy.no number");
 }
 
-// False: the picture is plain, or a half is empty, although the heat map was chosen.
-bool has_heat(const Facts& facts) {
-    const bool blank = facts.states && ranges::any_of(facts.states->sides, &StateFacts::Side::blank);
-    return !blank && (!facts.accuracy || facts.accuracy->note.empty());
+// Why the picture is plain although the heat map was chosen; empty if it is not.
+std::string no_heat(const Facts& facts) {
+    if (facts.states)
+        for (const StateFacts::Side& side : facts.states->sides)
+            if (side.blank) return "There is nothing to compare.\n" + side.label;
+    return facts.accuracy ? facts.accuracy->note : "";
 }
 
 void show_buttons(AccuracyMemory& memory, Layout& layout) {
@@ -191,8 +193,12 @@ bool plot_tools(const std::vector<Ladder>& ladders, const AccuracyFacts& facts, 
     tip(facts.of_scene ? "Rungs are measured against the reference, not while two other states are shown"
                        : "Measures error and time of every rung of this ladder");
     layout.note("accuracy.measure");
+    // Its room is there all the time, so that rows do not move under the pointer.
+    const float high = ImGui::GetFontSize() * .4F;
     if (facts.measured)
-        ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
+        ImGui::ProgressBar(static_cast<float>(*facts.measured), {-FLT_MIN, high}, "");
+    else
+        ImGui::Dummy({1, high});
     return pressed;
 }
 
@@ -343,7 +349,7 @@ void accuracy_section(const Facts& facts, Controls& controls, bool moves, Accura
     if (facts.accuracy || (facts.found && !facts.found->rows.empty())) {
         figures(facts, facts.accuracy ? *facts.accuracy : AccuracyFacts(), layout);
         show_buttons(memory, layout);
-        if (facts.accuracy && memory.show == AccuracyMemory::Show::heat && has_heat(facts))
+        if (facts.accuracy && memory.show == AccuracyMemory::Show::heat && no_heat(facts).empty())
             legend(*facts.accuracy, ImGui::GetContentRegionAvail().x, layout);
     }
     if (moves) {
@@ -371,8 +377,8 @@ constexpr ImGuiWindowFlags state_window = ImGuiWindowFlags_NoDecoration | ImGuiW
 // What must be known of the two states, `width` wide: a window of its own above the buttons, so that these stay where
 // they are under the mouse. Returns where it begins.
 float state_remarks(const Facts& facts, bool heat, ImVec2 below, float width, bool narrow, Layout& layout) {
-    const bool compared = has_heat(facts), unsaid = !compared && facts.accuracy && !facts.accuracy->note.empty();
-    const bool legends = heat && compared && !narrow, notes = heat && unsaid;
+    const std::string plain = no_heat(facts);
+    const bool legends = heat && plain.empty() && !narrow, notes = heat && !plain.empty();
     if (!facts.states->fixed && !legends && !notes) return below.y;
     ImGui::SetNextWindowPos(below, 0, {0, 1});
     ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
@@ -382,7 +388,7 @@ float state_remarks(const Facts& facts, bool heat, ImVec2 below, float width, bo
             wrapped("Both sides are fixed: sliders change neither. Choose \"now\" for one of them.", true);
             layout.note("accuracy.fixed");
         }
-        if (notes) note(*facts.accuracy, layout, "accuracy.no map");
+        if (notes) note(plain, layout, "accuracy.no map");
         if (legends) {
             ImGui::TextDisabled("Difference of light, where white is 1");
             legend(facts.accuracy ? *facts.accuracy : AccuracyFacts(), ImGui::GetContentRegionAvail().x, layout);
@@ -446,15 +452,14 @@ float state_bar(const Facts& facts, const Rect& picture, AccuracyMemory& memory,
 }
 
 void blank_halves(const Facts& facts, const Rect& scene, const AccuracyMemory& memory) {
-    if (!facts.states) return;
-    const bool split = memory.show == AccuracyMemory::Show::split;
+    if (!facts.states || memory.show != AccuracyMemory::Show::split) return;
     const float middle = scene.x + std::round(scene.width * memory.divider), end = scene.x + scene.width;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const float em = ImGui::GetFontSize();
     for (std::size_t i = 0; i < facts.states->sides.size(); ++i) {
         const StateFacts::Side& side = facts.states->sides[i];
         if (!side.blank) continue;
-        const float from = split && i == 1 ? middle : scene.x, to = split && i == 0 ? middle : end;
+        const float from = i == 1 ? middle : scene.x, to = i == 0 ? middle : end;
         list.AddRectFilled({from, scene.y}, {to, scene.y + scene.height}, pack(palette().panel));
         const std::string text = "No picture of this state\n" + side.label;
         const float room = std::max(to - from - 2 * em, 1.0F), wrap = std::min(room, 24 * em);
@@ -463,7 +468,6 @@ void blank_halves(const Facts& facts, const Rect& scene, const AccuracyMemory& m
         list.AddText(ImGui::GetFont(), em,
                      {std::round((from + to - size.x) / 2), std::round(scene.y + (scene.height - size.y) / 3)},
                      pack(palette().error_text), text.c_str(), nullptr, wrap);
-        if (!split) return;
     }
 }
 
@@ -559,20 +563,24 @@ content::PlotPoint plotted(const AccuracyPoint& point) {
             .label = point.rung || point.reference ? std::optional(0) : std::nullopt};
 }
 
-// What the marks of these points mean, in rows from that height on. Returns where they end.
+// What the marks of these points mean, in rows from that height on. Returns where those of all marks would end, so that
+// what is below stays in place.
 double key_of(const std::vector<content::PlotPoint>& points, const std::array<float, 3>& at, double top, double em,
               content::Page& page) {
     const double row = content::line_height * em;
     double x = at[0], y = top;
+    bool all = false;
     const auto entry = [&](bool occurs, const char* words, auto&& draw_at) {
-        if (!occurs) return;
+        if (!occurs && !all) return;
         const double mark = 1.4 * em, width = mark + page.width(words, em);
         if (x > at[0] && x + width > at[0] + at[2]) {
             x = at[0];
             y += row;
         }
-        draw_at(x + .5 * em, y + row / 2);
-        page.text(x + mark, y, words, em, content::Ink::text);
+        if (!all) {
+            draw_at(x + .5 * em, y + row / 2);
+            page.text(x + mark, y, words, em, content::Ink::text);
+        }
         x += width + em;
     };
     const auto point = [&](const content::PlotPoint& one, const char* words, auto&& is) {
@@ -580,14 +588,19 @@ double key_of(const std::vector<content::PlotPoint>& points, const std::array<fl
               [&](double left, double middle) { draw_point(page, one, left, middle, em); });
     };
     using P = content::PlotPoint;
-    point({.front = true}, "worth its time", [](const P& p) { return p.front; });
-    point({.beaten = true}, "another is better", [](const P& p) { return p.beaten; });
-    point({}, "not compared, or unsure", [](const P& p) { return !p.front && !p.beaten; });
-    point({.chosen = true}, "is shown", [](const P& p) { return p.chosen; });
-    const auto timed = ranges::find_if(points, [](const P& p) { return p.low > 0 && p.low < p.high; });
-    entry(timed != points.end(), "range of its time",
-          [&](double left, double middle) { draw_bar(page, *timed, left - .5 * em, left + .5 * em, middle, em); });
-    return points.empty() ? top : y + row;
+    for (const bool each : {false, true}) {
+        all = each;
+        x = at[0];
+        y = top;
+        point({.front = true}, "worth its time", [](const P& p) { return p.front; });
+        point({.beaten = true}, "another is better", [](const P& p) { return p.beaten; });
+        point({}, "not compared, or unsure", [](const P& p) { return !p.front && !p.beaten; });
+        point({.chosen = true}, "is shown", [](const P& p) { return p.chosen; });
+        const auto timed = ranges::find_if(points, [](const P& p) { return p.low > 0 && p.low < p.high; });
+        entry(timed != points.end(), "range of its time",
+              [&](double left, double middle) { draw_bar(page, *timed, left - .5 * em, left + .5 * em, middle, em); });
+    }
+    return y + row;
 }
 
 void draw(const std::vector<AccuracyPoint>& points, std::array<float, 3> at, float em, AccuracyPlot& drawn) {

@@ -228,27 +228,6 @@ void groups(const Facts& facts, const std::vector<FoundRow>& rows, Requests& req
     ImGui::TreePop();
 }
 
-// While the pointer is over the rows, they stay as they are and where they are: what is measured meanwhile is shown
-// once it leaves, and what grows above them is scrolled away.
-void held_groups(const Facts& facts, FoundMemory& memory, Requests& requests, Layout& layout) {
-    const float top = ImGui::GetCursorPosY();
-    const bool held = memory.over && !facts.found->rows.empty();
-    if (held) {
-        ImGui::SetCursorPosY(memory.top);
-        if (top > memory.top) ImGui::SetScrollY(ImGui::GetScrollY() + top - memory.top);
-        memory.grown |= top > memory.top;
-    }
-    memory.top = held ? std::max(memory.top, top) : top;
-    const float begin = ImGui::GetCursorScreenPos().y;
-    groups(facts, held ? memory.rows : facts.found->rows, requests, layout);
-    const float mouse = ImGui::GetIO().MousePos.y;
-    memory.over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && mouse >= begin &&
-                  mouse < ImGui::GetCursorScreenPos().y;
-    if (memory.over && !held) memory.rows = facts.found->rows;
-    if (!memory.over) memory = {.top = memory.top};
-    if (memory.grown) ImGui::Dummy({0, ImGui::GetWindowHeight()});  // so that it can be scrolled
-}
-
 // What can be done with the rung whose picture is shown. It takes as much room while there is none, so that a click on
 // a row moves no row.
 void shown_rung(const FoundFacts& found, Requests& requests, Layout& layout) {
@@ -269,6 +248,28 @@ void shown_rung(const FoundFacts& found, Requests& requests, Layout& layout) {
     if (next_button("Copy command", layout, "found.copy")) requests.copy_rung = true;
     tip("Copies the command that writes them");
     ImGui::EndDisabled();
+}
+
+// While the pointer is over the rows or their buttons, they stay as they are and where they are: what is measured
+// meanwhile is shown once it leaves, and what grows above them is scrolled away.
+void held_groups(const Facts& facts, FoundMemory& memory, Requests& requests, Layout& layout) {
+    const float top = ImGui::GetCursorPosY();
+    const bool held = memory.over && !facts.found->rows.empty();
+    if (held) {
+        ImGui::SetCursorPosY(memory.top);
+        if (top > memory.top) ImGui::SetScrollY(ImGui::GetScrollY() + top - memory.top);
+        memory.grown |= top > memory.top;
+    }
+    memory.top = held ? std::max(memory.top, top) : top;
+    const float begin = ImGui::GetCursorScreenPos().y;
+    if (!facts.found->rows.empty()) shown_rung(*facts.found, requests, layout);
+    groups(facts, held ? memory.rows : facts.found->rows, requests, layout);
+    const float mouse = ImGui::GetIO().MousePos.y;
+    memory.over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && mouse >= begin &&
+                  mouse < ImGui::GetCursorScreenPos().y;
+    if (memory.over && !held) memory.rows = facts.found->rows;
+    if (!memory.over) memory = {.top = memory.top};
+    if (memory.grown) ImGui::Dummy({0, ImGui::GetWindowHeight()});  // so that it can be scrolled
 }
 
 // What must be known of the numbers.
@@ -316,7 +317,6 @@ void found_rungs(const Facts& facts, FoundMemory& memory, Requests& requests, La
         ImGui::ProgressBar(static_cast<float>(*found.progress), {-FLT_MIN, ImGui::GetFontSize() * .4F}, "");
     }
     remarks(found, layout);
-    if (!found.rows.empty()) shown_rung(found, requests, layout);
     held_groups(facts, memory, requests, layout);
 }
 
@@ -351,6 +351,7 @@ std::string change_text(std::string_view before, std::string_view after, float w
     };
     std::size_t head = 0, tail = 0;
     while (head < most && before[head] == after[head]) ++head;
+    const std::size_t equal = head;
     if (begins(before, head) || begins(after, head))
         while (head > 0 && in_word(before[head - 1])) --head;
     while (tail + head < most && before[before.size() - 1 - tail] == after[after.size() - 1 - tail]) ++tail;
@@ -363,7 +364,15 @@ std::string change_text(std::string_view before, std::string_view after, float w
     const std::string from = differing(before), to = differing(after);
     const float room = std::max(width - width_of(arrow), 0.0F);
     const float left = std::min(width_of(from), std::max(room / 2, room - width_of(to)));
-    return fmt::format("{}{}{}", shortened(from, left, true).view(), arrow, shortened(to, room - left, true).view());
+    // What differs first is never left out: too long a word loses what it begins with in both texts.
+    const auto cut = [&](std::string_view text, const std::string& all, float fits) {
+        std::size_t end = equal;
+        while (end < text.size() && in_word(text[end])) ++end;
+        const std::string word = fmt::format("{}{}{}", dots, text.substr(head, end - head), dots);
+        if (width_of(all) <= fits || width_of(word) <= fits) return shortened(all, fits, true);
+        return shortened(fmt::format("{}{}", equal > 0 ? dots : "", text.substr(equal)), fits, true);
+    };
+    return fmt::format("{}{}{}", cut(before, from, left).view(), arrow, cut(after, to, room - left).view());
 }
 
 std::string ratio_text(double ratio) { return "\u00D7" + ratio_number(ratio); }

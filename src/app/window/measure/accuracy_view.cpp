@@ -81,6 +81,7 @@ RungCosts::~RungCosts() = default;
 void RungCosts::forget() {
     known_.clear();
     job_.reset();
+    compared_ = false;
     remark_.clear();
 }
 
@@ -205,6 +206,7 @@ void RungCosts::conclude(accuracy::ClockKind clock) {
         known = {points[i].error, points[i].times, shown(verdicts[i].standing), {}};
         if (verdicts[i].by < job->names.size()) known.by = job->names[verdicts[i].by];
     }
+    compared_ = true;
     remark_ = job->left_out + accuracy::noise_sentence(control);
 }
 

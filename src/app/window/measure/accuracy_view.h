@@ -35,6 +35,8 @@ public:
     void begin(std::size_t ladder, const Scene& scene, const Rungs& chosen);
     void stop();
     bool measuring() const { return job_ != nullptr; }
+    // True if all rungs of a ladder were compared, or are about to be.
+    bool compared() const { return measuring() || compared_; }
     double done() const;  // 0..1
     // Draws one sample of one rung with a runtime that nothing else uses. `reference` must have as many samples as
     // `samples`; the rungs in `frame` are ignored. Returns true if there are new results.
@@ -61,6 +63,7 @@ private:
 
     std::map<Rungs, Known> known_;
     std::unique_ptr<Job> job_;
+    bool compared_ = false;
     std::string remark_;
 };
 
@@ -109,6 +112,11 @@ public:
     ui::AccuracyFacts facts(std::size_t ladder) const;
     // Milliseconds that the slower one of the compared pictures would take in the window's size, by its last sample.
     double lasts() const { return lasts_; }
+    // The results are of this picture of the window, and took so long that they must not be lost to pictures of another
+    // size than theirs, see enlarged().
+    bool keeps_size(const Stand& window) const {
+        return costs_.compared() && smaller(window, stand_.enlarged) == stand_;
+    }
     // How many times larger than the pictures that are compared the window shows them.
     int enlarged() const { return stand_.enlarged; }
     // The reference in its current refinement; null if there is none yet.
@@ -183,6 +191,10 @@ public:
     void leave();
     bool busy() const { return now() && now()->busy(); }
     double lasts() const { return now() ? now()->lasts() : 0; }
+    // How many times smaller than the window's picture those are that its measured rungs need; 0: any size will do.
+    int kept_size(const Stand& window) const {
+        return refinement_ && refinement_->keeps_size(window) ? refinement_->enlarged() : 0;
+    }
     // Returns true if the panel or the picture changed.
     bool step() { return now() && now()->step(); }
     // Starts measuring all rungs of the plotted ladder, or stops it.

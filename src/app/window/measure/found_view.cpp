@@ -153,12 +153,7 @@ FoundView& FoundView::operator=(FoundView&&) noexcept = default;
 
 bool FoundView::follow(const Document& scene, bool stale, const Stand& stand, bool still,
                        const ui::AccuracyMemory& memory) {
-    if (!memory.open) {
-        rung_.reset();
-        facts_.shown.clear();
-        end("The search was stopped.");
-        return false;
-    }
+    if (!memory.open) return false;
     const char* note = stale ? "There are errors: no rungs can be sought." : "";
     const bool older = sought_ && (scene.controls.rungs != sought_->rungs || circumstances(stand) != sought_->at);
     const bool waiting = sought_ && sought_->search && !still;
@@ -295,6 +290,11 @@ void FoundView::write(const Document& scene, ui::Memory& memory) {
 }
 
 void FoundView::serve(const ui::Requests& requests, Document& scene, const Stand& stand, ui::Memory& memory) {
+    if (!memory.accuracy.open) {
+        rung_.reset();
+        facts_.shown.clear();
+        end("The search was stopped.");
+    }
     if (requests.find_rungs) {
         if (facts_.progress)
             end("The search was stopped.");

@@ -27,7 +27,7 @@ public:
     FoundView& operator=(FoundView&&) noexcept;
 
     // Call it after each frame. `still`: nothing moves, by hand or by itself. Other values or another view stop the
-    // search. Closing the panel does, too, and ends the showing. Returns true if the panel must be shown again.
+    // search. Returns true if the panel must be shown again.
     bool follow(const Document& scene, bool stale, const Stand& stand, bool still, const ui::AccuracyMemory& memory);
     // Call it when the files were read again: what was found is of an older text, and none of it is shown any more.
     void leave();
@@ -37,7 +37,8 @@ public:
     // there is something new to show.
     bool step(const std::function<void()>& alive);
 
-    // Starts and stops the search, shows rungs and writes them. `stand` is that of the picture in the window.
+    // Starts and stops the search, shows rungs and writes them. A closed panel stops and shows nothing. `stand` is that
+    // of the picture in the window.
     void serve(const ui::Requests& requests, Document& scene, const Stand& stand, ui::Memory& memory);
     // The command that writes the rung that is shown.
     std::string command() const;

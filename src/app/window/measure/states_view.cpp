@@ -58,11 +58,12 @@ std::string shown_name(const std::string& name) {
 
 }  // namespace
 
-void StatesView::follow(Document& scene, const Earlier& earlier, std::uint64_t revision,
+void StatesView::follow(Document& scene, const Earlier& earlier, std::uint64_t revision, bool stale,
                         const ui::AccuracyMemory& memory) {
     active_ = memory.show != ui::AccuracyMemory::Show::picture;
     if (!active_) {
-        halves_ = {};
+        for (Half& half : halves_)
+            if (half.error.empty() || (!stale && half.revision != revision)) half = {};
         return;
     }
     const std::array<std::string, 2> names{memory.left.empty() ? std::string(state_now) : memory.left,

@@ -21,17 +21,19 @@ public:
 
     // Call it before a picture is drawn: makes the documents of the states that memory.left and memory.right name, and
     // gives them the values that they have now. `revision` is that of the session. A half whose state can't be made any
-    // more, as after a broken edit, keeps the one that it has.
-    void follow(Document& scene, const Earlier& earlier, std::uint64_t revision, const ui::AccuracyMemory& memory);
+    // more, as after a broken edit, keeps the one that it has, also while one picture is shown, until the files, which
+    // are `stale`, are without errors.
+    void follow(Document& scene, const Earlier& earlier, std::uint64_t revision, bool stale,
+                const ui::AccuracyMemory& memory);
     // A snapshot was stored.
     void reread_snapshots();
 
     // The documents of the halves: that of the scene where the state is what it is now.
-    Document& left(Document& scene) { return of(halves_[0], scene); }
-    Document& right(Document& scene) { return of(halves_[1], scene); }
+    Document& left(Document& scene) { return active_ ? of(halves_[0], scene) : scene; }
+    Document& right(Document& scene) { return active_ ? of(halves_[1], scene) : scene; }
     // Whether there is a picture of that half: there is none of a state that could never be made. left() and right()
     // are the scene's document then.
-    bool shows(bool right) const { return halves_[right ? 1 : 0].shows(); }
+    bool shows(bool right) const { return !active_ || halves_[right ? 1 : 0].shows(); }
     // What that half is called.
     std::string text(bool right) const;
     bool active() const { return active_; }
