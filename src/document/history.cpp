@@ -53,6 +53,32 @@ bool replaces(const Control& old, const Control& now) {
            old.value.size() == now.value.size();
 }
 
+// The user's values that a text does not have any more.
+struct Lost {
+    std::size_t replaced = 0, dropped = 0;
+    std::string last_replaced, last_dropped;
+
+    // Texts of the numbers.
+    void replace(const std::string& name, const Control& control, const std::string& before, const std::string& now) {
+        ++replaced;
+        last_replaced =
+            fmt::format("{} {} was replaced by the file's {}", name, numbers(control, before), numbers(control, now));
+    }
+    void drop(const std::string& name, const Control& control, const std::string& value) {
+        ++dropped;
+        last_dropped = fmt::format("{} {} was dropped", name, numbers(control, value));
+    }
+
+    std::string words() const {
+        std::string said = last_replaced;
+        if (replaced > 1) said = fmt::format("{} were replaced by the file's", counted(replaced, "value"));
+        if (dropped == 0) return said;
+        if (replaced > 0) said += "; ";
+        said += dropped == 1 ? last_dropped : fmt::format("{} were dropped", counted(dropped, "value"));
+        return said + ": which program of the name is which is not known";
+    }
+};
+
 const std::string& at(const Setup& setup, const std::string& key) {
     static const std::string initial;
     const auto found = setup.find(key);
@@ -60,6 +86,26 @@ const std::string& at(const Setup& setup, const std::string& key) {
 }
 
 }  // namespace
+
+std::string lost_values(const Remembered& memory, const Scene& scene, const Controls& controls) {
+    const Renaming renaming(memory.written, memory.chosen, scene);
+    const std::vector<std::string> names = control_names(scene, controls);
+    Lost lost;
+    for (const auto& [key, value] : memory.chosen) {
+        if (!key.starts_with(set_option)) continue;
+        const std::string old = key.substr(set_option.size()), name = renaming.name(old);
+        const auto found = ranges::find(names, name);
+        const bool unclear = renaming.unclear(old);
+        if (!unclear && found == names.end()) continue;  // it may come back
+        const Control& control =
+            found == names.end() ? Control{} : controls.items[static_cast<std::size_t>(found - names.begin())];
+        if (unclear)
+            lost.drop(old, control, value);
+        else if (at(memory.written, key) != numbers_text(control.initial) && value != numbers_text(control.value))
+            lost.replace(name, control, value, numbers_text(control.value));
+    }
+    return lost.words();
+}
 
 std::size_t History::Step::bytes() const {
     std::size_t sum = sizeof(Step);
@@ -130,31 +176,38 @@ void History::follow_text(const std::string& name, const Control& old, const Con
            numbers_text({control.initial_min, control.initial_max}));
 }
 
-void History::carry_programs(const Scene& scene) {
+std::map<std::string, const Control*> History::carry_programs(const Scene& scene) {
     for (const auto& setting : setup_)
         if (setting.first.starts_with(program_option)) programs_.insert(setting);
     Setup used;
     for (const Step& step : steps_)
         for (const auto& [key, change] : step.changes) used[key];
+    for (const std::string& name : names_) used[std::string(set_option) + name];  // another may have its name now
     const Renaming renaming(programs_, used, scene);
     renaming.note(programs_);
-    for (std::string& name : names_) name = renaming.name(name);
+    std::map<std::string, const Control*> unclear;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+        const Control& control = controls_.items[i];
+        if (control.value != control.initial && renaming.unclear(names_[i])) unclear[names_[i]] = &control;
+        names_[i] = renaming.name(names_[i]);
+    }
     for (Step& step : steps_) {
         std::map<std::string, Change> changes;
         for (auto& [key, change] : step.changes) changes[renaming.key(key)] = std::move(change);
         step.changes = std::move(changes);
     }
+    return unclear;
 }
 
 std::string History::reread(const Scene& scene, const Controls& controls, const View& view,
                             std::span<const Animated> moving, Follow follow) {
     before_ = {};
-    carry_programs(scene);
+    const std::map<std::string, const Control*> unclear = carry_programs(scene);
     Controls now = controls;
     rest(scene, now, moving);
     const std::vector<std::string> names = control_names(scene, controls);
-    Step replaced;
-    std::string said;
+    Step step;
+    Lost lost;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto found = ranges::find(names_, names[i]);
         if (found == names_.end()) continue;
@@ -173,9 +226,8 @@ std::string History::reread(const Scene& scene, const Controls& controls, const 
                     return motion.program == control.program && motion.name == control.name;
                 })) {
                 const Change change{numbers_text(old.value), numbers_text(control.value)};
-                said = fmt::format("{} {} was replaced by the file's {}", names[i], numbers(old, change.before),
-                                   numbers(control, change.after));
-                replaced.changes[std::string(set_option) + names[i]] = change;
+                lost.replace(names[i], control, change.before, change.after);
+                step.changes[std::string(set_option) + names[i]] = change;
             }
         }
         if (old.initial != control.initial || old.value == control.value) continue;
@@ -183,13 +235,23 @@ std::string History::reread(const Scene& scene, const Controls& controls, const 
         control.min = old.min;
         control.max = old.max;
     }
+    for (const auto& [name, old] : unclear) {
+        const std::string value = numbers_text(old->value);
+        lost.drop(name, *old, value);
+        const auto found = ranges::find(names, name);
+        if (found == names.end()) continue;
+        const Control& control = now.items[static_cast<std::size_t>(found - names.begin())];
+        if (control.value.size() == old->value.size())
+            step.changes[std::string(set_option) + name] = {value, numbers_text(control.value)};
+    }
     begin(scene, now, carried_view(scene));
     name_objects(scene, view);
-    const std::size_t count = replaced.changes.size();
+    const std::string said = lost.words();
+    const std::size_t count = step.changes.size();
     if (count == 0) return said;
-    push(std::move(replaced));
+    push(std::move(step));
     open_ = false;
-    if (count > 1) said = fmt::format("{} were replaced by the file's", counted(count, "value"));
+    if (lost.dropped > 0) return said + "; Ctrl+Z sets them by their numbers";
     return said + (count > 1 ? "; Ctrl+Z brings them back" : "; Ctrl+Z brings it back");
 }
 

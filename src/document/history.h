@@ -41,6 +41,10 @@ struct Gesture {
     bool undone = false;                    // the step is undone at once: what can be redone stays
 };
 
+// Which values of last time are not those of the scene that was just opened, because its text has other numbers now, or
+// programs that cannot be told apart any more; "" if there are none.
+std::string lost_values(const Remembered& memory, const Scene& scene, const Controls& controls);
+
 class History {
 public:
     static constexpr std::size_t most_steps = 1000, most_bytes = std::size_t{16} << 20;
@@ -50,7 +54,8 @@ public:
     // Call it after the scene was read again: what its text changed is not a step, unless the user had changed it, too;
     // the result then says so. What moves keeps the value from before its motion, whatever the text says: a save may
     // have written where it was. Unless values follow the text, what differs from the last call was changed by the
-    // user.
+    // user. Values of programs that cannot be told apart any more are dropped, which the result says, too; undo sets
+    // them by the programs' numbers.
     std::string reread(const Scene& scene, const Controls& controls, const View& view,
                        std::span<const Animated> moving = {}, Follow follow = Follow::text);
     // Makes a step of what was changed since the last call, or extends the last step if it changed the same in the same
@@ -124,8 +129,9 @@ private:
     static std::string words_of(const Step& step, const Setup& before, const UserState& state);
     // The view, with objects by their new indices, which steps have then, too.
     View carried_view(const Scene& scene);
-    // Gives programs the names that they have now.
-    void carry_programs(const Scene& scene);
+    // Gives programs the names that they have now. Returns the values of those that cannot be told apart, by their old
+    // names.
+    std::map<std::string, const Control*> carry_programs(const Scene& scene);
     // Gives objects their new indices; what was changed of those that are gone is removed.
     static void carry_changes(const std::vector<std::string>& from, const std::vector<std::string>& to, Step& step);
 

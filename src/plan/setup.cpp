@@ -146,10 +146,17 @@ Renaming::Renaming(const Setup& programs, const Setup& used, const Scene& scene)
     const std::vector<std::string> old_names = program_names(before);
     std::vector<Index> now = carried_programs(before, programs_);
     const auto is_used = [&](const std::string& name) {
+        if (used.contains(snell::key(fold_option, name))) return true;
         const std::string begin = snell::key(set_option, name + ".");
         const auto first = used.lower_bound(begin);
         return first != used.end() && first->first.starts_with(begin);
     };
+    const auto unknown = [&](Index i, const std::string& name) {
+        return programs_[i].name == name && ranges::find(now, i) == now.end();
+    };
+    for (std::size_t i = 0; i < before.size(); ++i)
+        for (Index other = 0; now[i] == none && !before[i].gone && other < programs_.size(); ++other)
+            if (unknown(other, before[i].name)) unclear_.insert(old_names[i]);
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (now[i] != none || !is_used(old_names[i])) continue;
         now[i] = static_cast<Index>(programs_.size());
@@ -168,9 +175,17 @@ std::string Renaming::name(std::string_view control) const {
     return std::string(control);
 }
 
+bool Renaming::unclear(std::string_view control) const {
+    for (std::size_t dot = control.find('.'); dot != control.npos; dot = control.find('.', dot + 1))
+        if (unclear_.contains(control.substr(0, dot))) return true;
+    return false;
+}
+
 std::string Renaming::key(const std::string& key) const {
     for (const std::string_view option : {set_option, range_option})
         if (const auto old = name_in(key, option)) return snell::key(option, name(*old));
+    if (const auto old = name_in(key, fold_option))
+        if (const auto found = names_.find(*old); found != names_.end()) return snell::key(fold_option, found->second);
     return key;
 }
 
@@ -270,8 +285,8 @@ Setup read_setup(std::string_view text) {
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(line.size() + 1, text.size()));
-        // Numbers have no '=', but names of programs may.
-        const bool numbers = name_in(line, set_option) || name_in(line, range_option);
+        // Numbers and folds have no '=', but names of programs may.
+        const bool numbers = name_in(line, set_option) || name_in(line, range_option) || name_in(line, fold_option);
         const std::size_t equals = numbers ? line.rfind('=') : line.find('=');
         if (line.starts_with("--") && equals != line.npos)
             setup[std::string(line.substr(0, equals))] = line.substr(equals + 1);

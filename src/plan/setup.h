@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,11 +18,13 @@ namespace snell {
 // By option and name: "--set Glass.uEta" is "1.3", "--range Glass.uEta" "0,2", "--ladder FRESNEL" "exact",
 // "--view eye.x" "-2", "--axes" "on". Of the view it has what differs from View{}, which an empty value means.
 // "--program 0" is what tells the first of the scene's programs from others of its name: in another text, "Glass#2" may
-// be the first of that name. Commands have no such option.
+// be the first of that name. "--fold Glass" is "open" or "folded", as its section in the window. Commands have no such
+// options.
 using Setup = std::map<std::string, std::string>;
 
 inline constexpr std::string_view set_option = "--set ", range_option = "--range ", ladder_option = "--ladder ",
-                                  view_option = "--view ", axes_option = "--axes", program_option = "--program ";
+                                  view_option = "--view ", axes_option = "--axes", program_option = "--program ",
+                                  fold_option = "--fold ";
 
 // The numbers of a value, such as "1,0.5,0". They read back to the same bits.
 std::string numbers_text(const std::vector<double>& numbers);
@@ -29,7 +32,7 @@ std::string numbers_text(const std::vector<double>& numbers);
 std::vector<double> read_numbers(std::string_view text);
 
 // Gives programs the names that they have in another text. Those that it does not have, and of which `used` has a
-// value, are named behind its own.
+// value or a fold, are named behind its own.
 class Renaming {
 public:
     // `programs` has what told them apart; without that, names stay.
@@ -40,12 +43,15 @@ public:
     // Of a setting, such as "--set Glass.uEta".
     std::string key(const std::string& key) const;
     Setup operator()(const Setup& setup) const;
+    // Whether the program of a uniform may be one that the text has, but nobody can tell which; by its old name.
+    bool unclear(std::string_view control) const;
     // What tells the scene's programs apart, and those that it does not have.
     void note(Setup& setup) const;
 
 private:
     std::vector<ProgramId> programs_;
     std::map<std::string, std::string, std::less<>> names_;  // by the old ones
+    std::set<std::string, std::less<>> unclear_;             // old names
 };
 
 // All values, ranges and rungs, or as the scene's text says them.

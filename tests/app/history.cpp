@@ -451,6 +451,77 @@ TEST(UndoOfPrograms, OfOneNameChangesTheOneThatWasChanged) {
     EXPECT_EQ(history.redo({scene, controls, view, [] {}}), "redo: Glass#2.u 0.5 \u2192 1.5");
 }
 
+TEST(UndoOfPrograms, WhatNobodyCanTellApartIsDroppedAndSaid) {
+    struct Row {
+        std::vector<double> before, now;  // numbers of the lines
+        std::vector<double> values;       // that the user sets before
+        const char *said, *undone;
+        std::vector<double> left;  // after undo
+    };
+    const auto scene_of = [](const std::vector<double>& lines) {
+        std::vector<ProgramLine> programs;
+        for (const double number : lines) programs.push_back({"Glass", {value_of("u", Kind::range, {0, number, 2})}});
+        return scene_with(programs);
+    };
+    const auto controls_of = [](const Scene& scene) {
+        std::vector<ActiveUniform> uniforms(1, active("float"));
+        uniforms[0].name = "u";
+        Diagnostics ignored;
+        return make_controls(scene, std::vector(scene.programs.size(), uniforms), ignored);
+    };
+    for (const Row& row : {Row{{.5, .5, .5},
+                               {.5, .5},
+                               {.51, .52, .53},
+                               "3 values were dropped: which program of the name is which is not known; Ctrl+Z sets "
+                               "them by their numbers",
+                               "undo: 2 values",
+                               {.51, .52}},
+                           Row{{.5, .5, .5},
+                               {.5, .5},
+                               {.5, .5, .53},
+                               "Glass#3.u 0.53 was dropped: which program of the name is which is not known",
+                               "nothing to undo",
+                               {.5, .5}},
+                           Row{{.1, .2},
+                               {.3, .3, .3},
+                               {.1, 1},
+                               "Glass#2.u 1 was dropped: which program of the name is which is not known; "
+                               "Ctrl+Z sets them by their numbers",
+                               "undo: Glass#2.u 0.3 \u2192 1",
+                               {.3, 1, .3}},
+                           Row{{.1, .2}, {.2}, {1, 1.5}, "", "undo: Glass.u 1.5 \u2192 0.2", {.2}},
+                           Row{{.1, .2}, {.2}, {.1, .1}, "", "undo: Glass.u 0.1 \u2192 0.2", {.2}}}) {
+        SCOPED_TRACE(row.said);
+        const Scene before = scene_of(row.before), scene = scene_of(row.now);
+        Controls old = controls_of(before), controls = controls_of(scene);
+        View view;
+        History history;
+        history.begin(before, old, view);
+        Remembered kept;
+        for (std::size_t i = 0; i < row.values.size(); ++i) old.items[i].value = {row.values[i]};
+        ASSERT_TRUE(history.follow(before, old, view, {false, 1, 1}));
+        remember(before, old, kept);
+        carry_over(old, before, controls, scene);
+        const std::string_view said = row.said;
+        EXPECT_EQ(lost_values(kept, scene, controls), said.substr(0, said.find("; Ctrl+Z")));
+        EXPECT_EQ(history.reread(scene, controls, view), said);
+        EXPECT_EQ(history.undo({scene, controls, view, [] {}}), row.undone);
+        EXPECT_EQ(values_of(controls), row.left);
+    }
+}
+
+TEST_F(Undo, AValueOfLastTimeThatTheTextReplacedIsSaid) {
+    value(0) = 1.25;
+    Remembered kept;
+    remember(scene_, controls_, kept);
+    EXPECT_EQ(lost_values(kept, scene_, controls_), "");
+    Scene edited = scene_;
+    edited.programs[0].uniforms[0].values[1] = 1.5;
+    EXPECT_EQ(lost_values(kept, edited, fresh(edited)), "Glass.uEta 1.25 was replaced by the file's 1.5");
+    edited.programs[0].uniforms[0].values[1] = 1.25;
+    EXPECT_EQ(lost_values(kept, edited, fresh(edited)), "") << "it is what the user had";
+}
+
 // The program uses the uniform still, but for one save its line does not list it.
 TEST_F(Undo, AStepOfAValueThatWasNotListedForAWhileIsThatStepAgain) {
     value(0) = .9;

@@ -221,7 +221,7 @@ TEST_F(UiTest, SectionsAreRememberedByTheirSceneAndName) {
     EXPECT_TRUE(has("Glass.uEta"));
     click(place("Glass"));
     EXPECT_FALSE(has("Glass.uEta"));
-    EXPECT_EQ(memory_.folds, (Folds{{"Glass#0", false}}));
+    EXPECT_EQ(memory_.folds, (Folds{{"Glass", false}}));
     FileRow other;
     other.path = "/second.glib";
     facts_.files = {&other, 1};
@@ -236,6 +236,63 @@ TEST_F(UiTest, SectionsAreRememberedByTheirSceneAndName) {
     linked_.push_back(1);
     controls_.items[0].program = 1;
     EXPECT_FALSE(has("Glass.uEta")) << "also behind a new program";
+}
+
+// While the text is read again, with the programs in another order.
+TEST_F(UiTest, AControlInUseFollowsItsProgram) {
+    add_slider("uEta", 0, .1, 1);
+    add_program("Glass");
+    add_slider("uEta", 0, .2, 1);
+    memory_.numbers.carry({}, 2);
+    const auto reread = [&](const std::vector<Index>& carried, std::size_t count) {
+        scene_.programs.resize(count, scene_.programs[0]);
+        linked_.assign(count, 1);
+        std::erase_if(controls_.items, [&](const Control& control) { return carried[control.program] == none; });
+        for (Control& control : controls_.items) control.program = carried[control.program];
+        memory_.numbers.carry(carried, count);
+    };
+    const Rect top = place("Glass.uEta");
+    click(top, MouseButton::left, .5, {.ctrl = true});
+    reread({1, 0}, 2);
+    type(".75");
+    EXPECT_EQ(controls_.items[0].value[0], .75);
+    EXPECT_EQ(controls_.items[1].value[0], .2) << "it is where the other was";
+
+    frame({key(Key::right, true)});
+    frame({key(Key::right, false)});
+    EXPECT_NEAR(controls_.items[0].value[0], .76, 1e-9) << "the keyboard's focus is there, too";
+    frame({move(top.x + top.width / 2, top.y + top.height / 2), button(true)});
+    reread({2, 1}, 3);
+    frame({move(top.x + 2 * top.width, top.y)});
+    frame({button(false)});
+    EXPECT_EQ(controls_.items[1].value[0], 1);
+    EXPECT_NEAR(controls_.items[0].value[0], .76, 1e-9);
+
+    click(place("Glass.uEta"), MouseButton::left, .5, {.ctrl = true});
+    reread({none, none, 0}, 1);
+    type(".25");
+    ASSERT_EQ(controls_.items.size(), 1U);
+    EXPECT_EQ(controls_.items[0].value[0], 1) << "that was for a program that is gone";
+}
+
+TEST_F(UiTest, TheMenuOfAProgramThatIsGoneIsClosed) {
+    add_slider("uEta", 0, .1, 1);
+    add_program("Glass");
+    add_slider("uEta", 0, .2, 1);
+    memory_.numbers.carry({}, 2);
+    click(place("uEta.name"), MouseButton::right);
+    ASSERT_TRUE(has("uEta.animate"));
+    scene_.programs.pop_back();
+    linked_.pop_back();
+    controls_.items.erase(controls_.items.begin());
+    controls_.items[0].program = 0;
+    memory_.numbers.carry({none, 0}, 1);
+    EXPECT_FALSE(has("uEta.animate"));
+    for (const Key pressed : {Key::tab, Key::right}) {
+        frame({key(pressed, true)});
+        frame({key(pressed, false)});
+    }
+    EXPECT_GT(controls_.items[0].value[0], .2) << "keys are not the menu's";
 }
 
 // Frames that take a second: events are seen when the next one begins.
@@ -320,8 +377,11 @@ TEST_F(UiTest, ProgramsOfOneNameAreToldApartByTheirFilesAndNumbers) {
     for (const char* title : {"Glass, red.frag", "Glass#2, green.frag", "Glass#3, green.frag"})
         EXPECT_TRUE(has(std::string("title.") + title)) << title;
     // The first section is closed, and stays so where another program comes before it.
+    memory_.numbers.carry({}, 3);
     click(place("title.Glass, red.frag"));
     EXPECT_FALSE(has("Glass.uEta"));
+    memory_.numbers.carry({1, 2, 3}, 4);
+    memory_.folds = {{"Glass#2", false}};
     scene_.programs.insert(scene_.programs.begin(), scene_.programs[1]);
     linked_.push_back(1);
     controls_.items[0].program = 1;

@@ -30,13 +30,22 @@ bool same_values(const Controls& a, const Controls& b) {
     return a.rungs == b.rungs && ranges::equal(a.items, b.items, {}, &Control::value, &Control::value);
 }
 
-constexpr std::string_view fold_option = "--fold ";
-
 ui::Folds folds_in(const Setup& setup) {
     ui::Folds folds;
     for (const auto& [key, value] : setup)
         if (key.starts_with(fold_option)) folds[key.substr(fold_option.size())] = value == "open";
     return folds;
+}
+
+Setup setup_of(const ui::Folds& folds) {
+    Setup setup;
+    for (const auto& [program, open] : folds) setup[std::string(fold_option) + program] = open ? "open" : "folded";
+    return setup;
+}
+
+Setup programs_in(Setup setup) {
+    std::erase_if(setup, [](const auto& setting) { return !setting.first.starts_with(program_option); });
+    return setup;
 }
 
 std::string object_key(unsigned index) { return fmt::format("{}object{}", view_option, index); }
@@ -64,6 +73,7 @@ Remembered Past::read(const std::string& scene) {
     Remembered values = kept_;
     for (Setup* setup : {&values.chosen, &values.written})
         for (const std::string_view option : {view_option, axes_option, fold_option}) erase(*setup, option);
+    erase(values.chosen, program_option);  // those of folds
     return values;
 }
 
@@ -72,8 +82,10 @@ std::string Past::begin(Session& session, View& view) {
     continued_ = false;
     moving_ = 0;
     folds_ = folds_in(kept_.chosen);
+    fold_programs_ = programs_in(kept_.chosen);
     if (!session.document()) return {};
     const Document& document = *session.document();
+    carry_folds(document.scene());
     name_ = kept_name(session.path());
     flat_ = flat_picture(document.scene());
     first_axes_ = !flat_ && axes_;
@@ -88,16 +100,21 @@ std::string Past::begin(Session& session, View& view) {
         history().begin(document.scene(), written, plain);
     else
         history().reread(document.scene(), document.controls, view);
-    if (!values && !looks) return {};
+    const std::string lost = lost_values(kept_, document.scene(), document.controls);
+    changed_ |= !lost.empty();  // it is said once
+    if (!values && !looks) return lost;
     const std::string what = !values ? "view" : looks ? "values and view" : "values";
-    return what + " of last time" + (first ? "; Ctrl+Z goes back to the scene as written" : "");
+    return what + " of last time" + (first ? "; Ctrl+Z goes back to the scene as written" : "") +
+           (lost.empty() ? "" : "; " + lost);
 }
 
 void Past::continue_with(Session& session, const View& view) {
     name_.clear();
     folds_ = folds_in(kept_.chosen);
+    fold_programs_ = programs_in(kept_.chosen);
     continued_ = !session.document();
     if (continued_) return;
+    carry_folds(session.document()->scene());
     name_ = kept_name(session.path());
     first_axes_ = view.axes;
     history().begin(session.document()->scene(), session.document()->controls, view);
@@ -142,7 +159,9 @@ std::string Past::reread(Session& session, View& view, std::span<const Animated>
     }
     changed_ = true;
     const Document* const document = session.document();
-    return document ? history().reread(document->scene(), document->controls, view, moving, session.followed()) : "";
+    if (!document) return {};
+    carry_folds(document->scene());
+    return history().reread(document->scene(), document->controls, view, moving, session.followed());
 }
 
 void Past::add(std::string what, std::vector<SavedFile> files, Session& session) {
@@ -171,8 +190,8 @@ std::string Past::serve(const ui::Requests& requests, Session& session, View& vi
 Remembered Past::state(Session& session, const View& view, bool axes) const {
     Remembered kept = session.remembered();
     for (auto& [key, value] : setup_of(view)) kept.chosen[key] = value;
-    for (const auto& [section, open] : folds_)
-        kept.chosen[std::string(fold_option) + section] = open ? "open" : "folded";
+    kept.chosen.merge(setup_of(folds_));
+    if (!folds_.empty()) kept.chosen.insert(fold_programs_.begin(), fold_programs_.end());
     kept.chosen.erase(std::string(axes_option));
     if (axes) kept.chosen[std::string(axes_option)] = view.axes ? "on" : "off";
     const std::vector<std::string> names =
@@ -182,9 +201,19 @@ Remembered Past::state(Session& session, const View& view, bool axes) const {
     return kept;
 }
 
-void Past::fold(const ui::Folds& folds) {
-    changed_ |= folds != folds_;
+void Past::fold(const ui::Folds& folds, Session& session) {
+    if (folds == folds_) return;
+    changed_ = true;
     folds_ = folds;
+    if (session.document()) carry_folds(session.document()->scene());
+}
+
+// To the programs of this text.
+void Past::carry_folds(const Scene& scene) {
+    const Setup folds = setup_of(folds_);
+    const Renaming renaming(fold_programs_, folds, scene);
+    folds_ = folds_in(renaming(folds));
+    renaming.note(fold_programs_);
 }
 
 void Past::write(Session& session, const View& view) {

@@ -56,9 +56,10 @@ public:
     // The number of steps that can be undone.
     std::size_t steps() { return name_.empty() ? 0 : history().done(); }
 
-    // Which sections of the scene's programs the user has opened or folded: as they were last, and as they are now.
+    // Which sections of the scene's programs the user has opened or folded: as they were last, and as they are now, in
+    // the open scene, before it is read again.
     const ui::Folds& folds() const { return folds_; }
-    void fold(const ui::Folds& folds);
+    void fold(const ui::Folds& folds, Session& session);
     // Writes what is kept of the scene, if it changed.
     void write(Session& session, const View& view);
     // Makes the scene that the document was saved as begin with this view, and with the values that are not in the
@@ -67,6 +68,7 @@ public:
 
 private:
     History& history() { return histories_.use(name_); }
+    void carry_folds(const Scene& scene);
     // What is to be kept of the open scene.
     Remembered state(Session& session, const View& view, bool axes) const;
 
@@ -74,6 +76,7 @@ private:
     std::string name_;  // of the open scene; empty until it could be read
     Remembered kept_;   // as read, then as written last
     ui::Folds folds_;
+    Setup fold_programs_;  // what tells their programs apart
     Histories histories_;
     bool flat_ = false, axes_ = true, first_axes_ = true;  // axes_: as in the last scene that was not flat
     bool continued_ = false;                               // the scene, once it can be read, begins as the view is

@@ -45,9 +45,15 @@ std::string confirmed_page(const Document& document, ui::SaveAs& dialog) {
     return ui::confirmed(dialog, std::filesystem::exists(page, error), page.string()) ? page.string() : "";
 }
 
-// To the programs of another text: what moves, and what is logarithmic.
-void carry_sliders(const std::vector<Index>& programs, ui::Memory& memory) {
+// To the programs of another text: what moves, what is logarithmic, and what is in use.
+void carry_sliders(const std::vector<Index>& programs, std::size_t count, ui::Memory& memory) {
+    memory.numbers.carry(programs, count);
     carry_motions(programs, memory.animated);
+    if (std::optional<Animated>& stopped = memory.slider.stopped) {
+        std::vector<Animated> one{*std::exchange(stopped, {})};
+        carry_motions(programs, one);
+        if (!one.empty()) stopped = std::move(one[0]);
+    }
     for (auto& [program, name] : std::exchange(memory.logarithmic, {}))
         if (program < programs.size() && programs[program] != none) memory.logarithmic.emplace(programs[program], name);
 }
@@ -81,10 +87,13 @@ void Workspace::report() {
 void Workspace::reload(View& view, ui::Memory& memory) {
     const std::size_t before = session_.errors();
     const std::vector<ProgramId> programs = document() ? program_ids(document()->scene()) : std::vector<ProgramId>{};
+    past_.fold(memory.folds, session_);
     session_.reload();
-    if (document()) carry_sliders(carried_programs(programs, program_ids(document()->scene())), memory);
+    if (document()) {
+        const std::vector<ProgramId> now = program_ids(document()->scene());
+        carry_sliders(carried_programs(programs, now), now.size(), memory);
+    }
     if (session_.errors() > before) memory.notice.clear();  // it is older than the edit
-    past_.fold(memory.folds);
     if (std::string said = past_.reread(session_, view, memory.animated); !said.empty())
         memory.notice = std::move(said);
     memory.folds = past_.folds();
@@ -94,16 +103,21 @@ void Workspace::reload(View& view, ui::Memory& memory) {
 void Workspace::begin(View& view, ui::Memory& memory) {
     memory.notice = past_.begin(session_, view);
     if (std::string said = std::exchange(saved_as_, {}); !said.empty()) memory.notice = std::move(said);
-    memory.folds = past_.folds();
+    take_sections(memory);
 }
 
 void Workspace::continue_with(const View& view, ui::Memory& memory) {
     past_.continue_with(session_, view);
+    take_sections(memory);
+}
+
+void Workspace::take_sections(ui::Memory& memory) {
     memory.folds = past_.folds();
+    memory.numbers.carry({}, document() ? document()->scene().programs.size() : 0);
 }
 
 bool Workspace::look(const View& view, ui::Memory& memory) {
-    past_.fold(memory.folds);
+    past_.fold(memory.folds, session_);
     past_.write(session_, view);
     std::string said = pages_.look();
     const bool saved = !said.empty();

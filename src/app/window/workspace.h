@@ -82,6 +82,8 @@ public:
     void step(ui::Memory& memory) { saver_.step(document(), session_.revision(), memory); }
 
 private:
+    // Those of the scene that was just opened.
+    void take_sections(ui::Memory& memory);
     void serve_page(const ui::Requests& requests, const View& view, ui::Memory& memory);
 
     Past& past_;

@@ -484,23 +484,22 @@ std::string own_files(const Scene& scene, const Program& program) {
 }
 
 // Draws the title; returns whether the section is open. While a filter is set, sections are open for themselves.
-// `label`: what tells it from the scene's others.
-bool header(Controls& controls, Index index, const Section& section, std::string_view files, std::string_view label,
-            bool open_at_first, bool unfolds) {
+bool header(Controls& controls, Index index, const Section& section, bool open_at_first, bool unfolds) {
     const bool filtered = section.memory.filter[0] != '\0';
+    const std::string& name = section.program.name;
+    Text label(name);  // as in `snell render --set`
+    if (const std::size_t earlier = earlier_of_name(*section.facts.scene, index)) label.add("#{}", earlier + 1);
     Folds& folds = section.memory.folds;
-    const auto fold = folds.find(label);
+    const auto fold = folds.find(label.view());
     const bool opens = filtered || unfolds || (fold == folds.end() ? open_at_first : fold->second);
     if (opens || fold != folds.end()) ImGui::SetNextItemOpen(opens, unfolds ? ImGuiCond_Always : ImGuiCond_Once);
     const int before = ImGui::GetStateStorage()->GetInt(ImGui::GetID("###program"), -1);
-    const std::string& name = section.program.name;
     const auto moved = [](const Control& c) { return c.value != c.initial; };
     const auto moving = [&](const Animated& motion) { return motion.program == index; };
     const bool resets = any(controls, index, moved) || ranges::any_of(section.memory.animated, moving);
-    Text wanted(name.empty() ? std::string_view("Program") : name);
-    // As in `snell render --set`.
-    if (const std::size_t earlier = earlier_of_name(*section.facts.scene, index)) wanted.add("#{}", earlier + 1);
-    wanted.append(files);
+    Text wanted(name.empty() ? std::string_view("Program") : std::string_view());
+    wanted.append(label.view());
+    wanted.append(own_files(*section.facts.scene, section.program));
     // The title has what the button leaves, which is there only where something can be reset.
     const float room = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetFrameHeight();
     const char* const text = width_of(wanted.view()) + button_width("Reset all") <= room ? "Reset all" : "Reset";
@@ -510,7 +509,8 @@ bool header(Controls& controls, Index index, const Section& section, std::string
     const bool whole = title == wanted.view();
     const bool open =
         ui::header(title.append(filtered ? "###found" : "###program").c_str(), ImGuiTreeNodeFlags_AllowItemOverlap);
-    if (!filtered && !unfolds && before >= 0 && open != (before != 0)) folds.insert_or_assign(std::string(label), open);
+    if (!filtered && !unfolds && before >= 0 && open != (before != 0))
+        folds.insert_or_assign(std::string(label.view()), open);
     if (!whole) tip(wanted.view());
     section.layout.note(name);
     section.layout.note("title", wanted.view());
@@ -527,20 +527,11 @@ void section_of(Controls& controls, Index index, Section section, bool open_at_f
     const bool filtered = section.memory.filter[0] != '\0';
     if (filtered && !any(controls, index, kept)) return;
     show_opened();
-    // By the scene and what the title says, so that no other scene's section is open or closed by it; by the number
-    // only where no file tells it, because a program that is added before changes that.
-    const Scene& scene = *section.facts.scene;
-    const std::string files = own_files(scene, section.program);
+    // No other scene's section is open or closed by it.
     ImGui::PushID(section.facts.files.empty() ? "" : section.facts.files[0].path.c_str());
-    Text named(section.program.name);
-    named.append(files);
-    named.add("#{}", std::count_if(scene.programs.begin(), scene.programs.begin() + static_cast<std::ptrdiff_t>(index),
-                                   [&](const Program& other) {
-                                       return other.name == section.program.name &&
-                                              ranges::equal(other.stages, section.program.stages, same_file);
-                                   }));
-    ImGui::PushID(named.begin(), named.end());
-    if (header(controls, index, section, files, named.view(), open_at_first, unfolds)) {
+    const std::vector<int>& numbers = section.memory.numbers.now;
+    ImGui::PushID(index < numbers.size() ? numbers[index] : static_cast<int>(index));
+    if (header(controls, index, section, open_at_first, unfolds)) {
         const ImGuiStyle& style = ImGui::GetStyle();
         const float indent = style.FramePadding.x * .5F;
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.x, std::round(style.ItemSpacing.y * .8F)});
@@ -627,6 +618,15 @@ void ladder_row(const Ladder& ladder, std::size_t& rung, Layout& layout) {
 }
 
 }  // namespace
+
+void ProgramNumbers::carry(const std::vector<Index>& programs, std::size_t count) {
+    std::vector<int> numbers(count, -1);
+    for (std::size_t i = 0; i < std::min(programs.size(), now.size()); ++i)
+        if (programs[i] != none) numbers[programs[i]] = now[i];
+    for (int& number : numbers)
+        if (number < 0) number = next++;
+    now = std::move(numbers);
+}
 
 void ladders_panel(const Facts& facts, Controls& controls, Layout& layout) {
     const std::vector<Ladder>& ladders = facts.scene->ladders;

@@ -202,8 +202,18 @@ enum class Menu : std::uint8_t { none, open, closing };
 
 inline constexpr float usual_problems = .3F;
 
-// Sections of the scene's programs that the user has opened (true) or folded, by what tells them apart.
+// Sections of the scene's programs that the user has opened (true) or folded, by program_names().
 using Folds = std::map<std::string, bool, std::less<>>;
+
+// A number for each of the scene's programs, which it keeps in another text: a control in use follows its program, and
+// is closed where that is gone.
+struct ProgramNumbers {
+    std::vector<int> now;
+    int next = 0;
+
+    // `programs` is what carried_programs() found; `count` programs are there now.
+    void carry(const std::vector<Index>& programs, std::size_t count);
+};
 
 struct Memory {
     bool panel = true;  // false: only the picture is shown
@@ -215,6 +225,7 @@ struct Memory {
     float zoom = 1;             // factor for text and widgets, in addition to the screen's
     Titles open;                // titles of the open sections
     Folds folds;
+    ProgramNumbers numbers;
     bool warnings_open = false;
     bool problems_hidden = false;
     float problems_height = usual_problems;  // of the list, as a part of the picture's height

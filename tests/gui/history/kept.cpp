@@ -32,7 +32,7 @@ TEST_F(Past, AFoldedProgramIsFoldedWhenTheSceneIsOpenedAgain) {
     click("Paint");
     EXPECT_FALSE(state()["widgets"].contains("Paint.uRed"));
     ASSERT_TRUE(
-        wait([&](const json&) { return shell("grep -q -- '^--fold Paint#0=folded$' state/snell/scenes/*.txt") == 0; }));
+        wait([&](const json&) { return shell("grep -q -- '^--fold Paint=folded$' state/snell/scenes/*.txt") == 0; }));
     show("two.glib");
     EXPECT_TRUE(state()["widgets"].contains("Paint.uRed")) << "of another scene";
     end_window();
@@ -41,6 +41,60 @@ TEST_F(Past, AFoldedProgramIsFoldedWhenTheSceneIsOpenedAgain) {
     EXPECT_EQ(notice(), "") << "nothing else is as it was last";
     click("Paint");
     EXPECT_TRUE(state()["widgets"].contains("Paint.uRed"));
+}
+
+// Whatever moves it in the text, while the window is open and while it is not.
+TEST_F(Past, WhatIsInUseAndWhatIsFoldedFollowsItsProgram) {
+    const auto text = [](std::initializer_list<const char*> reds) {
+        std::string scene =
+            "Perspective 50\nLookAt 0 0 4  0 0 0  0 1 0\nVertex paint.vert\nFragment paint.frag\n"
+            "Ladder TINT <dark> light\n";
+        for (const char* red : reds)
+            scene += std::string("Program Paint uRed <0. ") + red + " 1.> uGreen <0. .4 1.>\nQuadXY 0. 1. 2 2\n";
+        return scene;
+    };
+    const auto reds = [&] {
+        std::vector<double> values;
+        const json controls = state()["controls"];
+        for (const char* name : {"Paint.uRed", "Paint#2.uRed", "Paint#3.uRed"})
+            if (controls.contains(name)) values.push_back(controls[name][0]);
+        return values;
+    };
+    // The space below a title tells whether its section is folded.
+    const auto below = [&](const char* title, const char* next) {
+        return on(std::string("title.") + next)[1] - on(std::string("title.") + title)[1];
+    };
+    const auto edit = [&](std::initializer_list<const char*> values, int times) {
+        save("one.glib", text(values));
+        ASSERT_TRUE(wait([&](const json& s) { return s["revision"] == times; }));
+        settle();
+    };
+    save("one.glib", text({".1", ".2"}));
+    open("one.glib");
+    const int shown = state()["revision"];
+    user("keydown ctrl");
+    click("Paint.uRed");  // the second program's
+    user("keyup ctrl key ctrl+a type --delay 8 .75");
+    settle();
+    edit({".05", ".1", ".2"}, shown + 1);
+    press("Return");
+    EXPECT_EQ(reds(), (std::vector<double>{.05, .1, .75}));
+    click("title.Paint#2");
+    settle();
+    EXPECT_LT(below("Paint#2", "Paint#3"), below("Paint", "Paint#2"));
+    edit({".1", ".05", ".2"}, shown + 2);
+    EXPECT_LT(below("Paint", "Paint#2"), below("Paint#2", "Paint#3"));
+    ASSERT_TRUE(
+        wait([&](const json&) { return shell("grep -q -- '^--fold Paint=folded$' state/snell/scenes/*.txt") == 0; }));
+    end_window();
+    save("one.glib", text({".05", ".1", ".2"}));
+    open("one.glib");
+    EXPECT_LT(below("Paint#2", "Paint#3"), below("Paint", "Paint#2"));
+    EXPECT_EQ(reds(), (std::vector<double>{.05, .1, .75}));
+    end_window();
+    save("one.glib", text({".05", ".1", ".3"}));
+    open("one.glib");
+    EXPECT_EQ(notice(), "Paint#3.uRed 0.75 was replaced by the file's 0.3");
 }
 
 TEST_F(Past, AClosedSceneIsAsItWasWhenItIsOpenedAgain) {
