@@ -140,7 +140,7 @@ TEST_F(Dragged, PicturesThatLastBeginCoarse) {
 
 // The driver compiles in the first one, and vertices take as long in all.
 TEST_F(Dragged, LookingAheadIsQuickHoweverLongASharpPictureTakes) {
-    for (const double compiler : {0., 300.})
+    for (const double compiler : {0., 300., 700.})
         for (const double vertices : {0., 1., 40., 400.})
             for (const double ms : {5., 100., 1e3, 5e3, 20e3, 60e3, 200e3}) {
                 coarseness = {};
@@ -298,7 +298,7 @@ TEST(Foresee, WhatAPictureTakesWhereSomethingElseKeepsTheMachineBusy) {
     constexpr double enough = 5000, infinity = std::numeric_limits<double>::infinity();
     for (const double fixed : {.2, 5., 100., 400., 900., 1800.})
         for (const double pixels : {.1, 20., 500., 2500., 20e3, 400e3, 3.6e6})
-            for (const double compiler : {0., 300.})
+            for (const double compiler : {0., 300., 700.})
                 for (const double noise : {1., 1.2, 1.3})
                     for (int i = 0; i < 50; ++i) {
                         const Machine machine{fixed, pixels, compiler, noise};

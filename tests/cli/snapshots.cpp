@@ -4,6 +4,7 @@
 #include <random>
 
 #include "parser/text/ranges.h"
+#include "src/app/desktop/folder.h"
 #include "src/app/open/command_text.h"
 #include "src/app/open/states.h"
 #include "src/app/open/write_copy.h"
@@ -377,25 +378,26 @@ TEST_F(Kept, WhereASceneGoesIsSaidBeforeAndAfter) {
     asked("x", false);
     EXPECT_EQ(dialog.place, "");
     folder.write("a/far/notes.txt", "");
-    const std::string far = folder.path("a/far"), none = folder.path("none");
+    const std::string none = folder.path("none"), far_shown = with_tilde(folder.path("a/far")),
+                      none_shown = with_tilde(none);
     asked("../a/far/x", false);
-    EXPECT_EQ(dialog.place, "as " + far + "/room/x.glib, with its files");
-    EXPECT_EQ(asked("../a/far/x", true).as, "saved as room/x.glib in " + far + " with its 1 file");
+    EXPECT_EQ(dialog.place, "as " + far_shown + "/room/x.glib, with its files");
+    EXPECT_EQ(asked("../a/far/x", true).as, "saved as room/x.glib in " + far_shown + " with its 1 file");
     EXPECT_FALSE(dialog.open);
 
     asked("../none/x", false);
-    EXPECT_EQ(dialog.place, "as " + none + "/room/x.glib, with its files");
+    EXPECT_EQ(dialog.place, "as " + none_shown + "/room/x.glib, with its files");
     EXPECT_EQ(asked("../none/x", true).saved_as, "");
     EXPECT_TRUE(dialog.asks() && dialog.makes);
     EXPECT_EQ(dialog.existing, "none");
     EXPECT_EQ(dialog.error, "");
     EXPECT_FALSE(fs::exists(none)) << "it is asked first";
-    EXPECT_EQ(asked("../none/x", true).as, "saved as room/x.glib in " + none + " with its 1 file");
+    EXPECT_EQ(asked("../none/x", true).as, "saved as room/x.glib in " + none_shown + " with its 1 file");
     expect_clean(*open_file(none + "/room/x.glib"));
 
     asked("../glass/y", false);
     EXPECT_EQ(dialog.place, "") << "it finds its files from there";
-    EXPECT_EQ(asked("../glass/y", true).as, "saved as y.glib in " + folder.path("glass"));
+    EXPECT_EQ(asked("../glass/y", true).as, "saved as y.glib in " + with_tilde(folder.path("glass")));
 }
 
 TEST_F(Kept, ValuesOfIncludedFilesAreNotSavedUnderAnotherName) {
