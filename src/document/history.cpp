@@ -184,6 +184,7 @@ std::map<std::string, const Control*> History::carry_programs(const Scene& scene
         for (const auto& [key, change] : step.changes) used[key];
     for (const std::string& name : names_) used[std::string(set_option) + name];  // another may have its name now
     const Renaming renaming(programs_, used, scene);
+    const Setup before = programs_;
     renaming.note(programs_);
     std::map<std::string, const Control*> unclear;
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -193,7 +194,9 @@ std::map<std::string, const Control*> History::carry_programs(const Scene& scene
     }
     for (Step& step : steps_) {
         std::map<std::string, Change> changes;
-        for (auto& [key, change] : step.changes) changes[renaming.key(key)] = std::move(change);
+        if (step.by_number && programs_ != before) step.changes.clear();
+        for (auto& [key, change] : step.changes)
+            if (!renaming.loses(key)) changes[renaming.key(key)] = std::move(change);
         step.changes = std::move(changes);
     }
     return unclear;
@@ -248,6 +251,7 @@ std::string History::reread(const Scene& scene, const Controls& controls, const 
     name_objects(scene, view);
     const std::string said = lost.words();
     const std::size_t count = step.changes.size();
+    step.by_number = lost.dropped > 0;
     if (count == 0) return said;
     push(std::move(step));
     open_ = false;

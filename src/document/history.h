@@ -91,7 +91,8 @@ private:
         std::vector<SavedFile> files;
         std::uint64_t presses = 0;
         double time = 0;
-        bool left = false;  // the files are as on the other side of it: the way back leaves it out, too
+        bool by_number = false;  // of values that were dropped: it holds for this text only
+        bool left = false;       // the files are as on the other side of it: the way back leaves it out, too
 
         bool empty() const { return changes.empty() && files.empty(); }
         std::size_t bytes() const;

@@ -181,6 +181,12 @@ bool Renaming::unclear(std::string_view control) const {
     return false;
 }
 
+bool Renaming::loses(std::string_view key) const {
+    for (const std::string_view option : {set_option, range_option})
+        if (const auto old = name_in(key, option)) return unclear(*old);
+    return false;
+}
+
 std::string Renaming::key(const std::string& key) const {
     for (const std::string_view option : {set_option, range_option})
         if (const auto old = name_in(key, option)) return snell::key(option, name(*old));
@@ -191,7 +197,8 @@ std::string Renaming::key(const std::string& key) const {
 
 Setup Renaming::operator()(const Setup& setup) const {
     Setup renamed;
-    for (const auto& [key, value] : setup) renamed[this->key(key)] = value;
+    for (const auto& [key, value] : setup)
+        if (!loses(key)) renamed[this->key(key)] = value;
     return renamed;
 }
 

@@ -42,7 +42,10 @@ public:
     std::string name(std::string_view control) const;
     // Of a setting, such as "--set Glass.uEta".
     std::string key(const std::string& key) const;
+    // Without what unclear programs had: it would come back in any of them.
     Setup operator()(const Setup& setup) const;
+    // Whether that leaves this setting out.
+    bool loses(std::string_view key) const;
     // Whether the program of a uniform may be one that the text has, but nobody can tell which; by its old name.
     bool unclear(std::string_view control) const;
     // What tells the scene's programs apart, and those that it does not have.

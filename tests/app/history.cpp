@@ -469,6 +469,20 @@ TEST(UndoOfPrograms, WhatNobodyCanTellApartIsDroppedAndSaid) {
         Diagnostics ignored;
         return make_controls(scene, std::vector(scene.programs.size(), uniforms), ignored);
     };
+    // With the lines as before, none of them has a value that any of them had.
+    const auto expect_forgotten = [&](History& history, Remembered& kept, const Scene& scene, const Scene& before) {
+        Controls between = controls_of(scene), again = controls_of(before);
+        recall(kept, scene, between);
+        remember(scene, between, kept);
+        carry_over(between, scene, again, before);
+        recall(kept, before, again);
+        EXPECT_EQ(values_of(again), values_of(controls_of(before)));
+        View view;
+        history.reread(scene, between, view);
+        history.reread(before, again, view);
+        EXPECT_EQ(history.undo({before, again, view, [] {}}), "nothing to undo");
+        EXPECT_EQ(values_of(again), values_of(controls_of(before)));
+    };
     for (const Row& row : {Row{{.5, .5, .5},
                                {.5, .5},
                                {.51, .52, .53},
@@ -476,6 +490,13 @@ TEST(UndoOfPrograms, WhatNobodyCanTellApartIsDroppedAndSaid) {
                                "them by their numbers",
                                "undo: 2 values",
                                {.51, .52}},
+                           Row{{.5, .5, .5},
+                               {.5, .5},
+                               {.51, .5, .5},
+                               "Glass.u 0.51 was dropped: which program of the name is which is not known; Ctrl+Z sets "
+                               "them by their numbers",
+                               "undo: Glass.u 0.5 \u2192 0.51",
+                               {.51, .5}},
                            Row{{.5, .5, .5},
                                {.5, .5},
                                {.5, .5, .53},
@@ -504,9 +525,11 @@ TEST(UndoOfPrograms, WhatNobodyCanTellApartIsDroppedAndSaid) {
         carry_over(old, before, controls, scene);
         const std::string_view said = row.said;
         EXPECT_EQ(lost_values(kept, scene, controls), said.substr(0, said.find("; Ctrl+Z")));
+        History other = history;
         EXPECT_EQ(history.reread(scene, controls, view), said);
         EXPECT_EQ(history.undo({scene, controls, view, [] {}}), row.undone);
         EXPECT_EQ(values_of(controls), row.left);
+        if (said.find("dropped") != said.npos) expect_forgotten(other, kept, scene, before);
     }
 }
 
