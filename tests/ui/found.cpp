@@ -263,7 +263,7 @@ TEST_F(FoundPanel, RowsStayUnderThePointer) {
     found_.remark.clear();
     EXPECT_EQ(place("found.row.2").y, before.y);
     frame({move(5, 5)});
-    EXPECT_LT(place("found.row.2").y, place("found.row.1").y) << "measured anew";
+    EXPECT_LT(place("found.row.2").y, place("found.row.1").y) << "measured again";
     EXPECT_FALSE(has("found.row.3"));
 }
 
